@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What all targets of the project share: warnings, sanitizers, coverage, precompiled MRPT headers.
+
+add_library(offmap_options INTERFACE)
+target_compile_options(offmap_options INTERFACE -Wall -Wextra -Wconversion -Wshadow)
+if(OFFMAP_WERROR)
+  target_compile_options(offmap_options INTERFACE -Werror)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Without it, the address of a precompiled header changes its hash and nothing is ever cached.
+  target_compile_options(offmap_options INTERFACE -fpch-preprocess)
+endif()
+if(OFFMAP_SANITIZE)
+  target_compile_options(offmap_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(offmap_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(OFFMAP_COVERAGE)
+  target_compile_options(offmap_options INTERFACE --coverage)
+  target_link_options(offmap_options INTERFACE --coverage)
+endif()
+
+# offmap_add_library(NAME SOURCES... ): target offmap_NAME, alias offmap::NAME, headers in include/.
+function(offmap_add_library name)
+  add_library(offmap_${name} STATIC ${ARGN})
+  add_library(offmap::${name} ALIAS offmap_${name})
+  set_target_properties(offmap_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(offmap_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(offmap_${name} PRIVATE $<BUILD_INTERFACE:offmap_options>)
+endfunction()
+
+# offmap_add_test(NAME LIBS... SOURCES): one GTest binary per tested library.
+function(offmap_add_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE offmap_options ${ARG_LIBS} GTest::gtest GTest::gmock)
+  include(GoogleTest)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

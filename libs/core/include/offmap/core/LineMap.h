@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/Interval.h>
+
+#include <mrpt/math/TPoint2D.h>
+#include <mrpt/math/TSegment2D.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace offmap::core {
+
+/// A straight piece of a surface that a range sensor sees, in top view.
+struct Wall {
+    mrpt::math::TSegment2D line;  ///< [m] map frame
+    double sigma = 0.03;          ///< [m] standard deviation of its position
+    Interval height =
+        Interval::everything();  ///< [m] z in the map frame that it reaches from and to
+};
+
+/// Where a ray met the map.
+struct RayHit {
+    double range;      ///< [m] ground range from the ray's origin
+    uint32_t wall;     ///< index into LineMap::walls()
+    double incidence;  ///< [rad] rho, between ray and wall, (0, pi/2]
+};
+
+/// The wall nearest to a point.
+struct NearestWall {
+    double distance;  ///< [m]
+    uint32_t wall;    ///< index into LineMap::walls()
+};
+
+/// The 2D map: wall lines behind a spatial index. Immutable, so one map may serve many threads.
+class LineMap {
+ public:
+    /// \throw std::invalid_argument naming the wall if an end point or sigma is not finite, if
+    /// sigma < 0, or if a wall has no length. An empty map is allowed.
+    explicit LineMap(std::vector<Wall> walls);
+    LineMap(LineMap&&) noexcept;
+    LineMap& operator=(LineMap&&) noexcept;
+    ~LineMap();
+
+    const std::vector<Wall>& walls() const { return walls_; }
+
+    /// The first wall on a ray that reaches to height z, if there is one within maxRange; eq. 1,
+    /// d_map. \param origin [m] map frame \param direction unit vector \param z [m] map frame
+    std::optional<RayHit> castRay(const mrpt::math::TPoint2D& origin,
+                                  const mrpt::math::TPoint2D& direction, double maxRange,
+                                  double z) const;
+
+    /// The nearest wall that reaches to height z, if there is one within maxDistance.
+    std::optional<NearestWall> nearestWall(const mrpt::math::TPoint2D& point, double maxDistance,
+                                           double z) const;
+
+    /// Whether any wall, at whatever height, comes within maxDistance of a point.
+    bool hasWallWithin(const mrpt::math::TPoint2D& point, double maxDistance) const;
+
+ private:
+    struct Index;
+    std::vector<Wall> walls_;
+    std::unique_ptr<const Index> index_;
+};
+
+}  // namespace offmap::core

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/core/bits_math.h>
+
+#include <cstdint>
+#include <limits>
+
+namespace offmap::core {
+
+/// Finding the vertical line segments of a column (section 3).
+struct VerticalConfig {
+    double maxPointToLine = 0.05;         ///< [m] split-and-merge tolerance
+    double maxTilt = mrpt::DEG2RAD(5.0);  ///< [rad] eta: bound of the tilt gamma
+    double maxGap = 0.5;                  ///< [m] between neighbouring returns of a segment
+    double minLength = 0.3;               ///< [m] of the segment
+    uint32_t minPoints = 4;               ///< returns on the segment
+};
+
+/// From a vertical segment to its interval of ground range (section 3.1).
+struct GroundIntervalConfig {
+    double maxMountingTilt = mrpt::DEG2RAD(1.0);  ///< [rad] gamma of eq. 4
+};
+
+enum class MatchingMethod : uint8_t { Paper };
+
+/// Matching a ground interval to the map (section 3.2, 3.3).
+struct MatchingConfig {
+    MatchingMethod method = MatchingMethod::Paper;
+    double sigmaFactor = 2.0;        ///< [-] sigmas that an uncertainty is taken as
+    double maxRange = 100.0;         ///< [m] walls further away are not looked for
+    double maxPositionRadius = 0.5;  ///< [m] a larger position ellipse cannot be used
+};
+
+/// Extending matched segments along their wall (section 3.3).
+struct ExtensionConfig {
+    bool enabled = true;
+    double maxPointToLine = 0.05;  ///< [m] of a segment's centre to the horizontal line
+    double minLength = 0.3;        ///< [m] of a horizontal line that may be extended
+    double maxGap = 0.5;           ///< [m] between neighbouring centres of one line
+    uint32_t minSegments = 3;      ///< matched segments of a line that may be extended
+    uint32_t maxColumnGap = 2;     ///< columns without a fitting segment that it crosses
+};
+
+/// Removing single segments that nothing else stands beside (section 3.4).
+struct OrphanConfig {
+    bool remove = false;
+    uint32_t neighbourColumns = 2;  ///< columns to either side that are looked at
+    double maxDistance = 0.5;       ///< [m] a kept segment nearer than this is company
+};
+
+struct ReductionConfig {
+    VerticalConfig vertical;
+    GroundIntervalConfig groundInterval;
+    MatchingConfig matching;
+    ExtensionConfig extension;
+    OrphanConfig orphan;
+
+    /// \throw std::invalid_argument naming the field and its limits.
+    void validate() const;
+};
+
+}  // namespace offmap::core

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/OrganizedScan.h>
+#include <offmap/rawlog/PoseSource.h>
+#include <offmap/rawlog/SensorConfig.h>
+
+#include <mrpt/obs/CObservation.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace offmap::rawlog {
+
+/// The observations of one turn: one, or the columns of a turned 2D scanner.
+using Turn = std::vector<mrpt::obs::CObservation::ConstPtr>;
+
+/// What a turn's slots hold. Slots that are skipped are never removed.
+struct ReturnCounts {
+    uint64_t returns = 0;     ///< finite and not zero
+    uint64_t nonFinite = 0;   ///< NaN or infinity
+    uint64_t zero = 0;        ///< no return: range 0, invalid ray
+    uint64_t duplicates = 0;  ///< of `returns`: repeat another return of the column exactly
+};
+
+struct TurnScan {
+    core::OrganizedScan scan;  ///< sourceIndex counts the slots of the whole turn
+    ReturnCounts counts;
+};
+
+/// A choice among the slots of one observation.
+using SlotMask = std::span<const uint8_t>;
+
+/// What has to be known of one class of 3D observation to reduce it: where its returns are, and how
+/// one is taken out. A slot is a place where a return can stand: a ray, a laser return in a packet,
+/// a point. The slots of a turn are numbered through its observations.
+class ScanClass {
+ public:
+    virtual ~ScanClass() = default;
+
+    virtual size_t slotCount(const mrpt::obs::CObservation& obs) const = 0;
+
+    /// Columns of returns, each with the pose of its sensor.
+    virtual TurnScan organize(const Turn& turn, const PoseSource& poses,
+                              const SensorConfig& config) const = 0;
+
+    /// The same observation with only the chosen returns; the others become "no return" in its own
+    /// encoding. \param keep one entry per slot, 0 or 1
+    virtual mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs,
+                                                  SlotMask keep) const = 0;
+
+    /// The chosen returns as a CObservationPointCloud of the same time, label and sensor pose.
+    virtual mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
+                                                      SlotMask keep) const = 0;
+};
+
+}  // namespace offmap::rawlog
