@@ -32,9 +32,9 @@ void ReductionConfig::validate() const {
     require(notNegative(matching.sigmaFactor), "matching.sigma_factor", ">= 0");
     require(positive(matching.maxRange), "matching.max_range_m", "> 0");
     require(positive(matching.maxPositionRadius), "matching.max_position_radius_m", "> 0");
+    require(positive(matching.maxHeadingError), "matching.max_heading_error_deg", "> 0");
     require(positive(extension.maxPointToLine), "extension.max_point_to_line_m", "> 0");
     require(notNegative(extension.minLength), "extension.min_length_m", ">= 0");
-    require(positive(extension.maxGap), "extension.max_gap_m", "> 0");
     require(extension.minSegments >= 2, "extension.min_segments", "at least 2");
     require(extension.maxColumnGap >= 1, "extension.max_column_gap", "at least 1");
     require(orphan.neighbourColumns >= 1, "orphan.neighbour_columns", "at least 1");

@@ -5,6 +5,7 @@
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/math/TPoint3D.h>
+#include <mrpt/math/TPose3D.h>
 
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,7 @@ struct ScanColumn {
     uint32_t begin = 0, end = 0;          ///< half-open range into OrganizedScan::points
     float azimuth = 0;                    ///< [rad] CCW from the vehicle's x axis, (-pi, pi]
     mrpt::Clock::time_point time{};       ///< when the column was taken
+    mrpt::math::TPose3D sensorInVehicle;  ///< mounting; levels the column where it has no pose
     std::optional<SensorPose> sensor;     ///< none: the points of this column are kept
     PoseFault fault = PoseFault::NoPose;  ///< why there is none; meaningless otherwise
 };

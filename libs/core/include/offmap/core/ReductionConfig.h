@@ -27,9 +27,10 @@ enum class MatchingMethod : uint8_t { Paper };
 /// Matching a ground interval to the map (section 3.2, 3.3).
 struct MatchingConfig {
     MatchingMethod method = MatchingMethod::Paper;
-    double sigmaFactor = 2.0;        ///< [-] sigmas that an uncertainty is taken as
-    double maxRange = 100.0;         ///< [m] walls further away are not looked for
-    double maxPositionRadius = 0.5;  ///< [m] a larger position ellipse cannot be used
+    double sigmaFactor = 2.0;                      ///< [-] sigmas that an uncertainty is taken as
+    double maxRange = 100.0;                       ///< [m] walls further away are not looked for
+    double maxPositionRadius = 0.5;                ///< [m] a larger position ellipse cannot be used
+    double maxHeadingError = mrpt::DEG2RAD(15.0);  ///< [rad] nor can a heading less certain
 };
 
 /// Extending matched segments along their wall (section 3.3).
@@ -37,9 +38,9 @@ struct ExtensionConfig {
     bool enabled = true;
     double maxPointToLine = 0.05;  ///< [m] of a segment's centre to the horizontal line
     double minLength = 0.3;        ///< [m] of a horizontal line that may be extended
-    double maxGap = 0.5;           ///< [m] between neighbouring centres of one line
     uint32_t minSegments = 3;      ///< matched segments of a line that may be extended
     uint32_t maxColumnGap = 2;     ///< columns without a fitting segment that it crosses
+    bool mapConsent = true;        ///< a wall of the map must stand where a segment is extended to
 };
 
 /// Removing single segments that nothing else stands beside (section 3.4).
