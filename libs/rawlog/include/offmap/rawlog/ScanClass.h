@@ -32,6 +32,10 @@ struct TurnScan {
 /// A choice among the slots of one observation.
 using SlotMask = std::span<const uint8_t>;
 
+/// What becomes of content that belongs to no slot: a point of a Velodyne scan's stored cloud that
+/// none of its returns explains. It goes where the returns go that are not removed.
+enum class Leftovers : uint8_t { Keep, Drop };
+
 /// What has to be known of one class of 3D observation to reduce it: where its returns are, and how
 /// one is taken out. A slot is a place where a return can stand: a ray, a laser return in a packet,
 /// a point. The slots of a turn are numbered through its observations.
@@ -47,8 +51,13 @@ class ScanClass {
 
     /// The same observation with only the chosen returns; the others become "no return" in its own
     /// encoding. \param keep one entry per slot, 0 or 1
-    virtual mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs,
-                                                  SlotMask keep) const = 0;
+    /// \param leftovers Keep for the reduced observation, Drop for its complement
+    virtual mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
+                                                  Leftovers leftovers) const = 0;
+
+    mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep) const {
+        return withOnly(obs, keep, Leftovers::Keep);
+    }
 
     /// The chosen returns as a CObservationPointCloud of the same time, label and sensor pose.
     virtual mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
