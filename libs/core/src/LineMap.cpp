@@ -142,12 +142,16 @@ std::optional<NearestWall> LineMap::nearestWall(const TPoint2D& point, double ma
 }
 
 bool LineMap::hasWallWithin(const TPoint2D& point, double maxDistance) const {
-    const TPoint2D margin(maxDistance, maxDistance);
-    const Box around = boundsOf(point - margin, point + margin);
+    // Looked for in growing squares: a wall near by is found without touching the rest of the map.
     bool found = false;
-    index_->forEachNear(around, [&](uint32_t wall) {
-        found = found || walls_[wall].line.distance(point) <= maxDistance;
-    });
+    for (double reach = std::min(1.0, maxDistance); !found;
+         reach = std::min(4 * reach, maxDistance)) {
+        const TPoint2D margin(reach, reach);
+        index_->forEachNear(boundsOf(point - margin, point + margin), [&](uint32_t wall) {
+            found = found || walls_[wall].line.distance(point) <= maxDistance;
+        });
+        if (reach >= maxDistance) break;
+    }
     return found;
 }
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/LineFit.h>
+
+#include <mrpt/math/TPoint2D.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace offmap::core {
+
+struct SplitAndMergeConfig {
+    double maxPointToLine;  ///< [m] of any point of a piece to its line
+    double maxGap;          ///< [m] between neighbouring points of a piece
+    double minLength;       ///< [m] between the ends of a piece, along its line
+    uint32_t minPoints;     ///< of a piece
+};
+
+/// A straight piece of an ordered list of points.
+struct LinePiece {
+    uint32_t begin, end;  ///< half-open range into the points
+    FittedLine line;      ///< total least squares through them
+};
+
+/// Working memory, and the owner of the result.
+struct SplitAndMergeScratch {
+    struct Run {
+        uint32_t begin, end;
+    };
+    std::vector<Run> pending;
+    std::vector<LinePiece> pieces;
+};
+
+/// Straight pieces of an ordered list of points, in its order and disjoint: the list is cut at
+/// gaps, a run is split at the point furthest from the chord of its ends until all are near it, and
+/// neighbouring pieces are merged while one fitted line serves both (section 2: Borges 2000, Nguyen
+/// 2005). \return valid until the scratch is used again
+std::span<const LinePiece> splitAndMerge(std::span<const mrpt::math::TPoint2D> points,
+                                         const SplitAndMergeConfig& config,
+                                         SplitAndMergeScratch& scratch);
+
+}  // namespace offmap::core

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/MapMatching.h>
+
+#include <cmath>
+
+namespace offmap::core {
+
+using mrpt::math::TPoint2D;
+
+namespace {
+
+TPoint2D rotated(const TPoint2D& direction, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
+}
+
+/// Standard deviation of a wall's predicted ground range: position and map, which err
+/// independently.
+double sigmaOfPrediction(const Viewpoint& viewpoint, const TPoint2D& direction, const Wall& wall) {
+    return std::hypot(viewpoint.ellipse.radius(direction), wall.sigma);
+}
+
+Interval predictedInterval(const RayHit& hit, double sigma, const MatchingConfig& config) {
+    return Interval::around(hit.range, config.sigmaFactor * sigma);
+}
+
+/// A wall that the ray may meet within the heading's uncertainty, and that fits: section 3.4,
+/// figure 6.
+std::optional<uint32_t> wallBesideRay(const Interval& measured, const Viewpoint& viewpoint,
+                                      const TPoint2D& direction, double z, const LineMap& map,
+                                      const MatchingConfig& config,
+                                      std::optional<uint32_t> wallOnRay) {
+    const double widest = config.sigmaFactor * viewpoint.sigmaHeading;
+    if (!(widest > 0)) return std::nullopt;
+    for (const double share : {-1.0, -0.5, 0.5, 1.0}) {
+        const TPoint2D beside = rotated(direction, share * widest);
+        const auto hit = map.castRay(viewpoint.position, beside, config.maxRange, z);
+        if (!hit || hit->wall == wallOnRay) continue;
+        const double sigma = sigmaOfPrediction(viewpoint, beside, map.walls()[hit->wall]);
+        if (predictedInterval(*hit, sigma, config).intersects(measured)) return hit->wall;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Viewpoint viewpointOf(const SensorPose& sensor) {
+    const auto& covariance = sensor.groundCovariance;
+    return {{sensor.sensorInMap.x(), sensor.sensorInMap.y()},
+            sensor.sensorInMap.z(),
+            PositionEllipse(covariance.topLeftCorner<2, 2>()),
+            std::sqrt(std::max(covariance(2, 2), 0.0))};
+}
+
+std::optional<PoseFault> faultOf(const Viewpoint& viewpoint, const MatchingConfig& config) {
+    if (config.sigmaFactor * viewpoint.ellipse.semiMajor() > config.maxPositionRadius ||
+        config.sigmaFactor * viewpoint.sigmaHeading > config.maxHeadingError) {
+        return PoseFault::TooUncertain;
+    }
+    return std::nullopt;
+}
+
+SegmentMatch matchByRay(const VerticalSegment& segment, const Interval& measured,
+                        const Viewpoint& viewpoint, const LineMap& map,
+                        const MatchingConfig& config) {
+    SegmentMatch match;
+    match.measured = measured;
+    const double groundRange = segment.centre.norm();
+    const TPoint2D direction =
+        groundRange > 0 ? segment.centre * (1 / groundRange) : TPoint2D(1, 0);
+    const double z = viewpoint.height + 0.5 * (segment.bottom.y + segment.top.y);
+    const auto hit = map.castRay(viewpoint.position, direction, config.maxRange, z);
+    if (hit) {
+        const double sigma = sigmaOfPrediction(viewpoint, direction, map.walls()[hit->wall]);
+        match.wall = hit->wall;
+        match.predicted = predictedInterval(*hit, sigma, config);
+        // What the measured interval is wide stands for the noise of the sensor and the mounting.
+        const double sigmaMeasured = 0.5 * measured.width() / std::max(config.sigmaFactor, 1.0);
+        const double total = std::hypot(sigma, sigmaMeasured);
+        match.residual = total > 0 ? (measured.centre() - hit->range) / total : 0;
+        if (match.predicted->intersects(measured)) {  // eq. 7, corrected
+            match.verdict = Verdict::MappedByRay;
+            match.reason = KeepReason::None;
+            return match;
+        }
+        match.reason = measured.max() < match.predicted->min() ? KeepReason::InFrontOfWall
+                                                               : KeepReason::BehindWall;
+    } else {
+        match.reason = KeepReason::NoWallOnRay;
+    }
+    const auto beside = wallBesideRay(measured, viewpoint, direction, z, map, config, match.wall);
+    if (beside) {
+        match.reason = KeepReason::AmbiguousCorner;
+        match.wall = beside;
+    }
+    return match;
+}
+
+}  // namespace offmap::core
