@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/ConfigFile.h>
+#include <offmap/rawlog/ParameterTable.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+#include <yaml-cpp/yaml.h>
+
+// The parser is yaml-cpp: mrpt::containers::yaml reports only some syntax errors, and otherwise
+// returns what stood before them; of a repeated key it silently takes the last.
+
+namespace offmap::rawlog {
+
+namespace {
+
+/// Something wrong at a place of the file.
+[[noreturn]] void refuse(const YAML::Mark& mark, const std::string& what) {
+    throw YAML::Exception(mark, what);
+}
+
+YAML::Node parseOneMap(std::istream& file) {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(file);
+    if (documents.empty() || documents.front().IsNull()) {
+        throw std::invalid_argument("holds no settings; an intended lack of them is written {}");
+    }
+    if (documents.size() > 1) {
+        refuse(documents[1].Mark(), "a second document; settings stand in one");
+    }
+    if (!documents.front().IsMap()) {
+        refuse(documents.front().Mark(),
+               "settings stand in sections, as in  vertical: {max_tilt_deg: 5}");
+    }
+    return documents.front();
+}
+
+/// \throw YAML::Exception if the key is no plain text or stands in the map before.
+std::string keyText(const YAML::Node& key, std::vector<std::string>& seen) {
+    if (!key.IsScalar()) refuse(key.Mark(), "a key must be plain text");
+    if (std::ranges::find(seen, key.Scalar()) != seen.end()) {
+        refuse(key.Mark(), fmt::format("\"{}\" stands here a second time", key.Scalar()));
+    }
+    return seen.emplace_back(key.Scalar());
+}
+
+std::string_view applyEntry(Config& config, const std::string& fullKey, const YAML::Node& key,
+                            const YAML::Node& value) {
+    try {
+        const Parameter& parameter = findParameter(fullKey);
+        if (!value.IsScalar()) {
+            refuse(value.IsNull() ? key.Mark() : value.Mark(),
+                   fmt::format("{} needs one value: allowed is {}", fullKey, parameter.allowed()));
+        }
+        parameter.setText(config, value.Scalar());
+        return parameter.key;
+    } catch (const std::invalid_argument& e) {
+        refuse(key.Mark(), e.what());
+    }
+}
+
+void requireSection(const YAML::Node& key, const std::string& name) {
+    const auto table = parameters();
+    const bool known = std::ranges::any_of(
+        table, [&](const Parameter& p) { return p.key.starts_with(name + '.'); });
+    if (known) return;
+    try {
+        findParameter(name);
+    } catch (const std::invalid_argument& e) {
+        refuse(key.Mark(), e.what());
+    }
+    refuse(key.Mark(), fmt::format("\"{}\" must stand inside its section, as in  vertical: "
+                                   "{{max_tilt_deg: 5}}",
+                                   name));
+}
+
+/// A section without entries is fine: all of them may have been commented out.
+void applySection(Config& config, const std::string& name, const YAML::Node& key,
+                  const YAML::Node& section, std::vector<std::string_view>& keysSet) {
+    if (!section.IsMap()) requireSection(key, name);
+    if (section.IsNull()) return;
+    if (!section.IsMap()) {
+        refuse(section.Mark(),
+               fmt::format("\"{}\" is a section and holds  key: value  pairs", name));
+    }
+    std::vector<std::string> seen;
+    for (const auto& entry : section) {
+        const std::string fullKey = name + '.' + keyText(entry.first, seen);
+        keysSet.push_back(applyEntry(config, fullKey, entry.first, entry.second));
+    }
+}
+
+std::vector<std::string_view> applyDocument(Config& config, const YAML::Node& document) {
+    std::vector<std::string_view> keysSet;
+    std::vector<std::string> seen;
+    for (const auto& entry : document) {
+        const std::string name = keyText(entry.first, seen);
+        applySection(config, name, entry.first, entry.second, keysSet);
+    }
+    return keysSet;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+std::vector<std::string_view> applyYaml(Config& config, const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    if (!stream || std::filesystem::is_directory(file)) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot be read; is it there and a file?", file.string()));
+    }
+    try {
+        Config changed = config;
+        const auto keysSet = applyDocument(changed, parseOneMap(stream));
+        changed.validate();
+        config = changed;
+        return keysSet;
+    } catch (const YAML::Exception& e) {
+        const std::string line = e.mark.is_null() ? "" : fmt::format(":{}", e.mark.line + 1);
+        throw std::runtime_error(fmt::format("{}{}: {}", file.string(), line, e.msg));
+    } catch (const std::invalid_argument& e) {
+        throw std::runtime_error(fmt::format("{}: {}", file.string(), e.what()));
+    }
+}
+
+void applySetting(Config& config, std::string_view setting) {
+    const size_t equals = setting.find('=');
+    if (equals == std::string_view::npos) {
+        throw std::runtime_error(
+            fmt::format("setting \"{}\" lacks its value; write key=value", setting));
+    }
+    try {
+        Config changed = config;
+        findParameter(trimmed(setting.substr(0, equals)))
+            .setText(changed, trimmed(setting.substr(equals + 1)));
+        changed.validate();
+        config = changed;
+    } catch (const std::invalid_argument& e) {
+        throw std::runtime_error(fmt::format("setting \"{}\": {}", setting, e.what()));
+    }
+}
+
+}  // namespace offmap::rawlog

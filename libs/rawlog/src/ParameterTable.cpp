@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/ParameterTable.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace offmap::rawlog {
+
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+/// \param access a generic lambda from a Config to the field, constant or not
+template <typename Access>
+Parameter row(std::string_view key, std::string_view unit, double min, double max, Access access,
+              std::string_view meaning, ParameterKind kind, Names choices = {}) {
+    using Field = std::remove_reference_t<decltype(access(std::declval<Config&>()))>;
+    return {key,
+            unit,
+            meaning,
+            kind,
+            min,
+            max,
+            std::move(choices),
+            [access](const Config& c) { return static_cast<double>(access(c)); },
+            [access](Config& c, double value) { access(c) = static_cast<Field>(value); }};
+}
+
+template <typename Access>
+Parameter number(std::string_view key, std::string_view unit, double min, double max, Access access,
+                 std::string_view meaning) {
+    return row(key, unit, min, max, access, meaning, ParameterKind::Number);
+}
+
+template <typename Access>
+Parameter count(std::string_view key, double min, double max, Access access,
+                std::string_view meaning) {
+    return row(key, "-", min, max, access, meaning, ParameterKind::Count);
+}
+
+template <typename Access>
+Parameter onOff(std::string_view key, Access access, std::string_view meaning) {
+    return row(key, "-", 0, 1, access, meaning, ParameterKind::Switch, {"false", "true"});
+}
+
+/// \param names in the order of the enumeration's values
+template <typename Access>
+Parameter choice(std::string_view key, Names names, Access access, std::string_view meaning) {
+    const auto last = static_cast<double>(names.size() - 1);
+    return row(key, "-", 0, last, access, meaning, ParameterKind::Choice, std::move(names));
+}
+
+// clang-format off
+#define FIELD(path) [](auto& c) -> auto& { return c.path; }
+
+std::vector<Parameter> makeTable() {
+    return {
+        number("vertical.max_point_to_line_m", "m", 0.001, 1, FIELD(reduction.vertical.maxPointToLine),
+               "split-and-merge tolerance: a return's distance from its vertical segment"),
+        number("vertical.max_tilt_deg", "deg", 0.1, 45, FIELD(reduction.vertical.maxTilt),
+               "a segment that leans further than this is not vertical (eta)"),
+        number("vertical.max_gap_m", "m", 0.01, 100, FIELD(reduction.vertical.maxGap),
+               "between neighbouring returns of a segment; a larger gap splits it"),
+        number("vertical.min_length_m", "m", 0, 100, FIELD(reduction.vertical.minLength),
+               "shorter segments are not used"),
+        count("vertical.min_points", 2, 10000, FIELD(reduction.vertical.minPoints),
+              "segments of fewer returns are not used"),
+
+        number("ground_interval.max_mounting_tilt_deg", "deg", 0, 45, FIELD(reduction.groundInterval.maxMountingTilt),
+               "how far the sensor may lean without anybody knowing (gamma of eq. 4)"),
+
+        choice("matching.method", {"paper"}, FIELD(reduction.matching.method),
+               "how segments are matched to the map"),
+        number("matching.sigma_factor", "-", 0, 10, FIELD(reduction.matching.sigmaFactor),
+               "standard deviations that an uncertainty is taken as"),
+        number("matching.max_range_m", "m", 0.1, 10000, FIELD(reduction.matching.maxRange),
+               "walls further away are not looked for"),
+        number("matching.max_position_radius_m", "m", 0.001, 100, FIELD(reduction.matching.maxPositionRadius),
+               "a pose whose position ellipse is larger is not used"),
+        number("matching.max_heading_error_deg", "deg", 0.01, 90, FIELD(reduction.matching.maxHeadingError),
+               "a pose whose heading is less certain is not used"),
+
+        onOff("extension.enabled", FIELD(reduction.extension.enabled),
+              "extend matched segments along their wall (section 3.3)"),
+        number("extension.max_point_to_line_m", "m", 0.001, 1, FIELD(reduction.extension.maxPointToLine),
+               "a segment's distance from the horizontal line that is extended"),
+        number("extension.min_length_m", "m", 0, 100, FIELD(reduction.extension.minLength),
+               "shorter horizontal lines are not extended"),
+        count("extension.min_segments", 2, 10000, FIELD(reduction.extension.minSegments),
+              "horizontal lines of fewer matched segments are not extended"),
+        count("extension.max_column_gap", 1, 10000, FIELD(reduction.extension.maxColumnGap),
+              "columns without a fitting segment that an extension crosses"),
+        onOff("extension.map_consent", FIELD(reduction.extension.mapConsent),
+              "extend only to where a wall of the map stands"),
+
+        onOff("orphan.remove", FIELD(reduction.orphan.remove),
+              "also remove single segments that nothing stands beside (section 3.4)"),
+        count("orphan.neighbour_columns", 1, 10000, FIELD(reduction.orphan.neighbourColumns),
+              "columns to either side in which an orphan has no company"),
+        number("orphan.max_distance_m", "m", 0.01, 100, FIELD(reduction.orphan.maxDistance),
+               "a kept segment nearer than this is company"),
+
+        choice("sensor.pose_reference", {"auto", "turn", "column"}, FIELD(sensor.poseReference),
+               "turned 2D scanner: place columns by the turn's one pose or by a pose each"),
+        count("sensor.columns_per_turn", 0, 1000000, FIELD(sensor.columnsPerTurn),
+              "turned 2D scanner: a turn ends after so many columns; 0: at the azimuth's wrap"),
+        number("sensor.max_column_pause_s", "s", 0.001, 3600, FIELD(sensor.maxColumnPause),
+               "turned 2D scanner: a longer pause between two columns ends the turn"),
+        number("sensor.column_width_deg", "deg", 0, 30, FIELD(sensor.columnWidth),
+               "point cloud: azimuth width of a column; 0: found in the cloud"),
+
+        number("pose.max_age_s", "s", 0, 3600, FIELD(pose.maxAge),
+               "time from a column to the nearest pose; beyond, the column is kept whole"),
+        number("pose.sigma_m", "m", 0, 100, FIELD(pose.sigmaPosition),
+               "standard deviation of a fixed pose, in x and in y"),
+        number("pose.sigma_deg", "deg", 0, 180, FIELD(pose.sigmaYaw),
+               "standard deviation of a fixed pose's heading"),
+
+        number("map.sigma_m", "m", 0, 10, FIELD(map.sigma),
+               "standard deviation of a wall's position, for walls that state none"),
+    };
+}
+#undef FIELD
+// clang-format on
+
+/// Number of single-character edits that turn one text into the other (Levenshtein).
+size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), size_t{0});
+    for (size_t i = 0; i < a.size(); ++i) {
+        size_t diagonal = std::exchange(row[0], i + 1);
+        for (size_t j = 0; j < b.size(); ++j) {
+            const size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+        }
+    }
+    return row.back();
+}
+
+/// A key with a slip in it, or a key without its section.
+size_t mistypedBy(std::string_view text, const Parameter& p) {
+    return std::min(editDistance(text, p.key),
+                    editDistance(text, p.key.substr(p.key.find('.') + 1)));
+}
+
+}  // namespace
+
+std::span<const Parameter> parameters() {
+    static const std::vector<Parameter> table = makeTable();
+    return table;
+}
+
+const Parameter& findParameter(std::string_view key) {
+    const auto table = parameters();
+    const auto found = std::ranges::find(table, key, &Parameter::key);
+    if (found != table.end()) return *found;
+
+    const auto& nearest = *std::ranges::min_element(
+        table, {}, [key](const Parameter& p) { return mistypedBy(key, p); });
+    const bool likely = mistypedBy(key, nearest) <= key.size() / 2;
+    throw std::invalid_argument(
+        likely ? fmt::format("unknown key \"{}\"; did you mean {}?", key, nearest.key)
+               : fmt::format("unknown key \"{}\"; config/default.yaml lists them all", key));
+}
+
+}  // namespace offmap::rawlog
