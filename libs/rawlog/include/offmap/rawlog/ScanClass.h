@@ -62,6 +62,10 @@ class ScanClass {
     /// The chosen returns as a CObservationPointCloud of the same time, label and sensor pose.
     virtual mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
                                                       SlotMask keep) const = 0;
+
+ protected:
+    /// \throw std::invalid_argument unless the mask has one entry per slot.
+    void checkMask(const mrpt::obs::CObservation& obs, SlotMask keep) const;
 };
 
 }  // namespace offmap::rawlog

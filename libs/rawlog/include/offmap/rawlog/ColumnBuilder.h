@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/rawlog/PoseSource.h>
+#include <offmap/rawlog/ScanClass.h>
+
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt/poses/CPose3D.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace offmap::rawlog {
+
+/// A return on its way into a column.
+struct ColumnReturn {
+    mrpt::math::TPoint3Df point;  ///< [m] in the frame of its column's sensor
+    uint32_t slot = 0;            ///< in the turn
+    double sinElevation = 0;      ///< [-] in the vehicle's axes; filled in by appendColumn()
+};
+
+/// Counts what stands in a slot. \return true if it is a return: finite and not the origin
+bool countReturn(ReturnCounts& counts, const mrpt::math::TPoint3Df& point);
+
+/// Gives a column its mounting and, where the vehicle has a pose, the pose of its sensor.
+void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
+                 const mrpt::poses::CPose3D& sensorInVehicle);
+
+/// Azimuth in the vehicle's axes of a direction in the sensor's horizontal plane [rad].
+double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sensorInVehicle);
+
+/// Puts a column behind those that `out` has: bottom to top by elevation in the vehicle's axes,
+/// exact duplicates skipped and counted. The order is total, so that of `returns` does not matter.
+void appendColumn(TurnScan& out, core::ScanColumn column,
+                  const mrpt::poses::CPose3D& sensorInVehicle, std::vector<ColumnReturn>& returns);
+
+}  // namespace offmap::rawlog

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/ColumnBuilder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace offmap::rawlog {
+
+using mrpt::math::TPoint3Df;
+
+namespace {
+
+double squaredRange(const TPoint3Df& p) {
+    const double x = p.x, y = p.y, z = p.z;
+    return x * x + y * y + z * z;
+}
+
+bool below(const ColumnReturn& a, const ColumnReturn& b) {
+    if (a.sinElevation != b.sinElevation) return a.sinElevation < b.sinElevation;
+    const auto key = [](const ColumnReturn& r) {
+        return std::make_tuple(squaredRange(r.point), r.point.x, r.point.y, r.point.z, r.slot);
+    };
+    return key(a) < key(b);
+}
+
+}  // namespace
+
+bool countReturn(ReturnCounts& counts, const TPoint3Df& point) {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
+        ++counts.nonFinite;
+        return false;
+    }
+    if (point.x == 0 && point.y == 0 && point.z == 0) {
+        ++counts.zero;
+        return false;
+    }
+    ++counts.returns;
+    return true;
+}
+
+void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
+                 const mrpt::poses::CPose3D& sensorInVehicle) {
+    column.sensorInVehicle = sensorInVehicle.asTPose();
+    column.fault = vehicle.fault;
+    if (vehicle.vehicleInMap) {
+        column.sensor =
+            core::composeOnGround(*vehicle.vehicleInMap, vehicle.groundCovariance, sensorInVehicle);
+    }
+}
+
+double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sensorInVehicle) {
+    const auto& rotation = sensorInVehicle.getRotationMatrix();
+    const double x = std::cos(azimuthInSensor), y = std::sin(azimuthInSensor);
+    return std::atan2(rotation(1, 0) * x + rotation(1, 1) * y,
+                      rotation(0, 0) * x + rotation(0, 1) * y);
+}
+
+void appendColumn(TurnScan& out, core::ScanColumn column,
+                  const mrpt::poses::CPose3D& sensorInVehicle, std::vector<ColumnReturn>& returns) {
+    const auto& rotation = sensorInVehicle.getRotationMatrix();
+    for (ColumnReturn& r : returns) {
+        const double height =
+            rotation(2, 0) * r.point.x + rotation(2, 1) * r.point.y + rotation(2, 2) * r.point.z;
+        r.sinElevation = height / std::sqrt(squaredRange(r.point));
+    }
+    std::sort(returns.begin(), returns.end(), below);
+
+    column.begin = static_cast<uint32_t>(out.scan.points.size());
+    for (const ColumnReturn& r : returns) {
+        if (out.scan.points.size() > column.begin && out.scan.points.back() == r.point) {
+            ++out.counts.duplicates;
+            continue;
+        }
+        out.scan.points.push_back(r.point);
+        out.scan.sourceIndex.push_back(r.slot);
+    }
+    column.end = static_cast<uint32_t>(out.scan.points.size());
+    out.scan.columns.push_back(column);
+}
+
+}  // namespace offmap::rawlog
