@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/rawlog/ScanClass.h>
+
+#include <mrpt/obs/CObservationVelodyneScan.h>
+
+#include <optional>
+#include <string>
+
+namespace offmap::rawlog {
+
+/// CObservationVelodyneScan of a VLP-16: one column a firing. A slot is a laser return in a packet;
+/// one that is taken out becomes distance 0.
+class VelodyneScan final : public ScanClass {
+ public:
+    using ScanClass::withOnly;
+
+    size_t slotCount(const mrpt::obs::CObservation& obs) const override;
+    TurnScan organize(const Turn& turn, const PoseSource& poses,
+                      const SensorConfig& config) const override;
+    mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
+                                          Leftovers leftovers) const override;
+    /// CPointsMapXYZI, intensities from 0 to 1.
+    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
+                                              SlotMask keep) const override;
+};
+
+/// Why a Velodyne scan cannot be decoded; none if it can.
+std::optional<std::string> unsupportedVelodyne(const mrpt::obs::CObservationVelodyneScan& obs);
+
+}  // namespace offmap::rawlog

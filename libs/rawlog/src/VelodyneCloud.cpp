@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/VelodyneCloud.h>
+#include <offmap/rawlog/VelodynePackets.h>
+
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/math/TPoint3D.h>
+
+#include <cmath>
+#include <limits>
+
+namespace offmap::rawlog {
+
+namespace {
+
+using Scan = mrpt::obs::CObservationVelodyneScan;
+
+/// [m] MRPT rounds azimuths to 1/100 degree: half of that is 1.1 cm at the greatest range, 130 m.
+constexpr float maxDistance = 0.02F;
+
+constexpr uint64_t gone = std::numeric_limits<uint64_t>::max();
+
+class ReturnFinder {
+ public:
+    explicit ReturnFinder(VelodyneReturns returns) : returns_(std::move(returns)) {
+        tree_.reserve(returns_.points.size());
+        for (const auto& p : returns_.points) tree_.insertPointFast(p.x, p.y, p.z);
+        tree_.mark_as_modified();
+    }
+
+    std::optional<uint32_t> slotNear(float x, float y, float z) const {
+        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return {};
+        if (returns_.points.empty()) return {};
+        float squared = 0;
+        const size_t nearest = tree_.kdTreeClosestPoint3D(x, y, z, squared);
+        if (squared > maxDistance * maxDistance) return {};
+        return returns_.slots[nearest];
+    }
+
+ private:
+    VelodyneReturns returns_;
+    mrpt::maps::CSimplePointsMap tree_;
+};
+
+/// Per point: its index among the points that stay, or `gone`.
+std::vector<uint64_t> newIndices(const Scan& obs, SlotMask keep, Leftovers leftovers) {
+    const ReturnFinder finder(decodePackets(obs));
+    const Scan::TPointCloud& cloud = obs.point_cloud;
+    std::vector<uint64_t> indices(cloud.size(), gone);
+    uint64_t next = 0;
+    for (size_t i = 0; i < cloud.size(); ++i) {
+        const auto slot = finder.slotNear(cloud.x[i], cloud.y[i], cloud.z[i]);
+        const bool stays = slot ? keep[*slot] != 0 : leftovers == Leftovers::Keep;
+        if (stays) indices[i] = next++;
+    }
+    return indices;
+}
+
+/// Vectors that were not filled in are left alone.
+template <class T>
+void filter(std::vector<T>& values, const std::vector<uint64_t>& indices) {
+    if (values.size() != indices.size()) return;
+    size_t left = 0;
+    for (size_t i = 0; i < indices.size(); ++i) {
+        if (indices[i] != gone) values[left++] = values[i];
+    }
+    values.resize(left);
+}
+
+void renumber(std::vector<uint64_t>& pointsOfLaser, const std::vector<uint64_t>& indices) {
+    size_t left = 0;
+    for (const uint64_t i : pointsOfLaser) {
+        if (i < indices.size() && indices[i] != gone) pointsOfLaser[left++] = indices[i];
+    }
+    pointsOfLaser.resize(left);
+}
+
+}  // namespace
+
+void filterStoredCloud(Scan& obs, SlotMask keep, Leftovers leftovers) {
+    Scan::TPointCloud& cloud = obs.point_cloud;
+    if (cloud.size() == 0) return;
+    const auto indices = newIndices(obs, keep, leftovers);
+    filter(cloud.x, indices);
+    filter(cloud.y, indices);
+    filter(cloud.z, indices);
+    filter(cloud.intensity, indices);
+    filter(cloud.timestamp, indices);
+    filter(cloud.azimuth, indices);
+    filter(cloud.laser_id, indices);
+    for (auto& pointsOfLaser : cloud.pointsForLaserID) renumber(pointsOfLaser, indices);
+}
+
+}  // namespace offmap::rawlog
