@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/PointCloudScan.h>
+#include <offmap/rawlog/ScanClasses.h>
+#include <offmap/rawlog/SweepFan.h>
+#include <offmap/rawlog/SweepScan.h>
+#include <offmap/rawlog/VelodyneScan.h>
+
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationRotatingScan.h>
+
+namespace offmap::rawlog {
+
+const ScanClass* scanClassOf(const mrpt::obs::CObservation& obs) {
+    static const VelodyneScan velodyne;
+    static const PointCloudScan pointCloud;
+    static const SweepScan sweep;
+    if (const auto* scan = dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&obs)) {
+        return unsupportedVelodyne(*scan) ? nullptr : &velodyne;
+    }
+    if (dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&obs)) return &pointCloud;
+    if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs)) {
+        return isVerticalFan(*scan) ? &sweep : nullptr;
+    }
+    return nullptr;
+}
+
+std::optional<std::string> unsupportedReason(const mrpt::obs::CObservation& obs) {
+    if (const auto* scan = dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&obs)) {
+        return unsupportedVelodyne(*scan);
+    }
+    if (dynamic_cast<const mrpt::obs::CObservationRotatingScan*>(&obs)) {
+        return "CObservationRotatingScan is not supported yet, copied unchanged";
+    }
+    if (dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&obs)) {
+        return "CObservation3DRangeScan is not supported yet, copied unchanged";
+    }
+    return {};
+}
+
+}  // namespace offmap::rawlog
