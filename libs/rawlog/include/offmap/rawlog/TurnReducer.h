@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/Reducer.h>
+#include <offmap/rawlog/Config.h>
+#include <offmap/rawlog/PoseSource.h>
+#include <offmap/rawlog/ScanClass.h>
+#include <offmap/rawlog/TurnRecord.h>
+
+#include <mrpt/obs/CObservation.h>
+
+#include <vector>
+
+namespace offmap::rawlog {
+
+enum class OutputClass : uint8_t {
+    Same,    ///< the observation's own class
+    Points,  ///< CObservationPointCloud
+};
+
+/// A turn with its mapped returns taken out.
+struct ReducedTurn {
+    TurnRecord record;
+    TurnScan organized;
+    /// Per observation of the turn; null if nothing was removed from it, so that it may be copied
+    /// as it is.
+    std::vector<mrpt::obs::CObservation::Ptr> reduced;
+    std::vector<uint8_t> removedSlots;  ///< per slot of the turn, 0 or 1
+};
+
+/// Reduces observations in memory: organises them into columns, asks core what is mapped, takes it
+/// out.
+class TurnReducer {
+ public:
+    /// Map and poses must outlive it. \throw std::invalid_argument if the configuration is not
+    /// valid.
+    TurnReducer(const core::LineMap& map, const PoseSource& poses, const Config& config,
+                OutputClass output);
+
+    ReducedTurn reduce(const Turn& turn, const ScanClass& scanClass);
+
+    /// What the last call of reduce() found out; holds until the next one.
+    const core::ReductionResult& result() const { return *result_; }
+
+    /// Per observation of the turn, one that holds the removed returns only.
+    std::vector<mrpt::obs::CObservation::Ptr> removedFrom(const Turn& turn,
+                                                          const ReducedTurn& reduced,
+                                                          const ScanClass& scanClass) const;
+
+ private:
+    mrpt::obs::CObservation::Ptr select(const mrpt::obs::CObservation& obs,
+                                        const ScanClass& scanClass, SlotMask keep,
+                                        Leftovers leftovers) const;
+
+    core::Reducer reducer_;
+    const PoseSource& poses_;
+    SensorConfig sensor_;
+    OutputClass output_;
+    const core::ReductionResult* result_ = nullptr;
+};
+
+}  // namespace offmap::rawlog

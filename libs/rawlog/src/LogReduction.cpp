@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/LogReduction.h>
+#include <offmap/rawlog/Observations.h>
+#include <offmap/rawlog/PointCloudScan.h>
+#include <offmap/rawlog/ScanClasses.h>
+
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CSensoryFrame.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace offmap::rawlog {
+
+using mrpt::obs::CObservation;
+using mrpt::obs::CObservation2DRangeScan;
+using mrpt::obs::CSensoryFrame;
+
+namespace {
+
+template <class Choose, class Replacements>
+mrpt::serialization::CSerializable::Ptr replaced(
+    const mrpt::serialization::CSerializable::Ptr& object, const Replacements& replacements,
+    Choose&& choose) {
+    const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object);
+    if (!frame) return choose(replacements.front());
+    auto out = CSensoryFrame::Create();
+    size_t position = 0;
+    for (const CObservation::Ptr& member : *frame) {
+        CObservation::Ptr chosen = member;
+        for (const auto& replacement : replacements) {
+            if (replacement.position == position && choose(replacement))
+                chosen = choose(replacement);
+        }
+        out->push_back(chosen);
+        ++position;
+    }
+    return out;
+}
+
+}  // namespace
+
+LogReduction::LogReduction(const LogSurvey& survey, TurnReducer& reducer, const Config& config,
+                           Settings settings, RawlogWriter& reduced, RawlogWriter* removed)
+    : survey_(survey),
+      reducer_(reducer),
+      config_(config),
+      settings_(std::move(settings)),
+      reduced_(reduced),
+      removed_(removed) {}
+
+void LogReduction::add(const RawlogEntry& entry) {
+    PendingEntry& pending = pending_.emplace_back();
+    pending.index = entry.place.index;
+    pending.bytes.assign(entry.bytes.begin(), entry.bytes.end());
+    forEachObservation(entry.object, [&](const CObservation::Ptr& obs, size_t position) {
+        endOverdueTurns(obs->timestamp);
+        const bool chosen =
+            settings_.sensors.empty() || settings_.sensors.contains(obs->sensorLabel);
+        if (!chosen) return;
+        if (survey_.reducible(*obs)) {
+            pending.object = entry.object;
+            addObservation(pending, obs, position);
+        } else if (const auto reason = unsupportedReason(*obs)) {
+            onNotSupported(*reason);
+        }
+    });
+    writeReady();
+}
+
+void LogReduction::addObservation(PendingEntry& entry, const CObservation::Ptr& obs,
+                                  size_t position) {
+    Member member{&entry, position, obs, false};
+    if (!loadIfExternal(member)) return;
+    ++entry.unresolved;
+    const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(obs.get());
+    if (!scan) {
+        std::vector<Member> members{member};
+        reduceTurn(members);
+        return;
+    }
+    OpenTurn& turn =
+        open_.try_emplace(obs->sensorLabel, OpenTurn{SweepTurns(config_.sensor), {}}).first->second;
+    if (turn.turns.startsNewTurn(*scan)) reduceTurn(turn.members);
+    turn.members.push_back(member);
+}
+
+/// False if it is to be copied as it is, because its file cannot be loaded.
+bool LogReduction::loadIfExternal(Member& member) const {
+    auto* cloud = dynamic_cast<mrpt::obs::CObservationPointCloud*>(member.obs.get());
+    if (!cloud || !cloud->isExternallyStored()) return true;
+    try {
+        loadExternal(*cloud, settings_.input);
+        member.loaded = true;
+        return true;
+    } catch (const std::exception&) {
+        if (!settings_.keepGoing) throw;
+        onNotSupported("externally stored, and its file cannot be read");
+        return false;
+    }
+}
+
+void LogReduction::endOverdueTurns(mrpt::Clock::time_point now) {
+    const std::chrono::duration<double> longest(config_.sensor.maxColumnPause);
+    for (auto& [label, turn] : open_) {
+        if (!turn.members.empty() && now - turn.members.back().obs->timestamp > longest) {
+            reduceTurn(turn.members);
+            turn.turns.reset();
+        }
+    }
+}
+
+void LogReduction::reduceTurn(std::vector<Member>& members) {
+    if (members.empty()) return;
+    const ScanClass& scanClass = *scanClassOf(*members.front().obs);
+    Turn turn;
+    for (Member& member : members) turn.push_back(member.obs);
+    ReducedTurn reduced = reducer_.reduce(turn, scanClass);
+    std::vector<CObservation::Ptr> removed(members.size());
+    if (removed_) removed = reducer_.removedFrom(turn, reduced, scanClass);
+    for (size_t i = 0; i < members.size(); ++i) {
+        PendingEntry& entry = *members[i].entry;
+        if (!reduced.reduced[i] && members[i].loaded) reduced.reduced[i] = members[i].obs;
+        entry.replacements.push_back({members[i].position, reduced.reduced[i], removed[i]});
+        --entry.unresolved;
+    }
+    reduced.record.entry = members.front().entry->index;
+    members.clear();
+    onTurn(reduced.record);
+}
+
+void LogReduction::writeReady() {
+    while (!pending_.empty() && pending_.front().unresolved == 0) {
+        write(pending_.front());
+        pending_.pop_front();
+    }
+}
+
+void LogReduction::write(const PendingEntry& entry) {
+    const auto changes = [&](auto member) {
+        return std::ranges::any_of(entry.replacements,
+                                   [&](const Replacement& r) { return (r.*member) != nullptr; });
+    };
+    const auto writeTo = [&](RawlogWriter& writer, auto member) {
+        if (!changes(member)) return writer.writeBytes(entry.bytes);
+        writer.write(*replaced(entry.object, entry.replacements,
+                               [&](const Replacement& r) { return r.*member; }));
+    };
+    writeTo(reduced_, &Replacement::reduced);
+    if (removed_) writeTo(*removed_, &Replacement::removed);
+}
+
+void LogReduction::finish() {
+    for (auto& [label, turn] : open_) reduceTurn(turn.members);
+    writeReady();
+}
+
+}  // namespace offmap::rawlog

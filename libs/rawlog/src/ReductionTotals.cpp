@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/ReductionTotals.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace offmap::rawlog {
+
+namespace {
+
+constexpr double shortest = 1e-4;  // [ms] lower end of the first bin
+constexpr double binRatio = 1.01;
+
+uint64_t sum(const std::map<std::string, uint64_t>& counts) {
+    uint64_t total = 0;
+    for (const auto& [reason, count] : counts) total += count;
+    return total;
+}
+
+}  // namespace
+
+void DurationHistogram::add(double milliseconds) {
+    const double bin = std::log(std::max(milliseconds, shortest) / shortest) / std::log(binRatio);
+    ++bins_[std::min(static_cast<size_t>(bin), binCount - 1)];
+    ++count_;
+}
+
+std::optional<double> DurationHistogram::quantile(double share) const {
+    if (count_ == 0) return std::nullopt;
+    const double rank = share * static_cast<double>(count_ - 1);
+    uint64_t below = 0;
+    for (size_t bin = 0; bin < binCount; ++bin) {
+        below += bins_[bin];
+        if (static_cast<double>(below) > rank) {
+            return shortest * std::pow(binRatio, static_cast<double>(bin) + 0.5);
+        }
+    }
+    return std::nullopt;
+}
+
+void ReductionTotals::add(const TurnRecord& turn) {
+    ++scans;
+    if (!turn.notReduced.empty()) ++notReduced[turn.notReduced];
+    columns += turn.columns;
+    columnsWithoutPose += turn.columnsWithoutPose;
+    counts.returns += turn.counts.returns;
+    counts.nonFinite += turn.counts.nonFinite;
+    counts.zero += turn.counts.zero;
+    counts.duplicates += turn.counts.duplicates;
+    onVerticalSegments += turn.onVerticalSegments;
+    removedByRay += turn.removedByRay;
+    removedByExtension += turn.removedByExtension;
+    removedAsOrphans += turn.removedAsOrphans;
+    for (size_t r = 0; r < keptByReason.size(); ++r) keptByReason[r] += turn.keptByReason[r];
+    milliseconds.add(turn.milliseconds);
+    firstTime = firstTime ? std::min(*firstTime, turn.time) : turn.time;
+    lastTime = lastTime ? std::max(*lastTime, turn.time) : turn.time;
+}
+
+uint64_t ReductionTotals::scansNotReduced() const { return sum(notReduced); }
+uint64_t ReductionTotals::observationsNotSupported() const { return sum(notSupported); }
+
+double ReductionTotals::logSeconds() const {
+    return firstTime ? std::chrono::duration<double>(*lastTime - *firstTime).count() : 0;
+}
+
+std::vector<std::string> ReductionTotals::warnings() const {
+    std::vector<std::string> out;
+    for (const auto& [reason, count] : notSupported) {
+        out.emplace_back(fmt::format("{} observations were copied unchanged: {}", count, reason));
+    }
+    if (const auto offMap = notReduced.find("no_wall_in_range"); offMap != notReduced.end()) {
+        out.emplace_back(
+            fmt::format("{} of {} scans have no wall within range: check --map-origin, the map's "
+                        "units and the frame of the poses",
+                        offMap->second, scans));
+    }
+    if (const uint64_t others = scansNotReduced(); scans > 0 && others == scans) {
+        out.emplace_back("no scan could be reduced; all points were kept");
+        return out;
+    }
+    if (scans == 0 || counts.returns == 0) return out;
+    if (onVerticalSegments == 0) {
+        out.emplace_back(
+            "no vertical segment was found: for a scanner with few rings raise vertical.max_gap_m "
+            "and lower vertical.min_points (see config/vlp16.yaml)");
+    } else if (removed() == 0) {
+        out.emplace_back("nothing was removed: check that the map and the poses share one frame");
+    } else if (static_cast<double>(removed()) < 0.3 * static_cast<double>(onVerticalSegments)) {
+        out.emplace_back(fmt::format(
+            "only {:.1f} % of the points on vertical segments were removed: check the poses "
+            "against the map",
+            100.0 * static_cast<double>(removed()) / static_cast<double>(onVerticalSegments)));
+    }
+    return out;
+}
+
+}  // namespace offmap::rawlog

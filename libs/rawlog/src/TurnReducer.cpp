@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/TurnReducer.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace offmap::rawlog {
+
+using mrpt::obs::CObservation;
+
+namespace {
+
+/// Fills in what the result says; the rest of the record is known before.
+void record(const core::OrganizedScan& scan, const core::ReductionResult& result, TurnRecord& out) {
+    for (const core::ScanColumn& column : scan.columns) out.columns += column.begin != column.end;
+    out.columnsWithoutPose = result.columnsWithoutPose;
+    if (result.notReduced) out.notReduced = core::toString(*result.notReduced);
+    for (size_t s = 0; s < result.segments.size(); ++s) {
+        const uint64_t points = result.segments[s].end - result.segments[s].begin;
+        out.onVerticalSegments += points;
+        switch (result.matches[s].verdict) {
+            case core::Verdict::MappedByRay:
+                out.removedByRay += points;
+                break;
+            case core::Verdict::MappedByExtension:
+                out.removedByExtension += points;
+                break;
+            case core::Verdict::RemovedAsOrphan:
+                out.removedAsOrphans += points;
+                break;
+            case core::Verdict::Kept:
+                out.keptByReason[static_cast<size_t>(result.matches[s].reason)] += points;
+                break;
+        }
+    }
+}
+
+std::vector<uint8_t> removedSlots(const core::OrganizedScan& scan,
+                                  const core::ReductionResult& result, size_t slots) {
+    std::vector<uint8_t> removed(slots, 0);
+    for (size_t i = 0; i < result.labels.size(); ++i) {
+        const core::PointLabel label = result.labels[i];
+        removed[scan.sourceIndex[i]] =
+            label == core::PointLabel::Mapped || label == core::PointLabel::Orphan;
+    }
+    return removed;
+}
+
+}  // namespace
+
+TurnReducer::TurnReducer(const core::LineMap& map, const PoseSource& poses, const Config& config,
+                         OutputClass output)
+    : reducer_(map, config.reduction), poses_(poses), sensor_(config.sensor), output_(output) {
+    config.validate();
+}
+
+CObservation::Ptr TurnReducer::select(const CObservation& obs, const ScanClass& scanClass,
+                                      SlotMask keep, Leftovers leftovers) const {
+    return output_ == OutputClass::Points ? scanClass.asPointCloud(obs, keep)
+                                          : scanClass.withOnly(obs, keep, leftovers);
+}
+
+ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
+    const auto begin = std::chrono::steady_clock::now();
+    ReducedTurn out;
+    size_t slots = 0;
+    for (const auto& obs : turn) slots += scanClass.slotCount(*obs);
+    out.organized = scanClass.organize(turn, poses_, sensor_);
+    result_ = &reducer_.reduce(out.organized.scan);
+    out.removedSlots = removedSlots(out.organized.scan, *result_, slots);
+
+    std::vector<uint8_t> keep(out.removedSlots);
+    for (uint8_t& slot : keep) slot = !slot;
+    size_t first = 0;
+    for (const auto& obs : turn) {
+        const SlotMask own = SlotMask(keep).subspan(first, scanClass.slotCount(*obs));
+        first += own.size();
+        const bool unchanged = output_ == OutputClass::Same && std::ranges::count(own, 0) == 0;
+        out.reduced.push_back(unchanged ? nullptr : select(*obs, scanClass, own, Leftovers::Keep));
+    }
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+
+    out.record.milliseconds = took.count();
+    out.record.counts = out.organized.counts;
+    out.record.time = turn.front()->timestamp;
+    out.record.label = turn.front()->sensorLabel;
+    out.record.className = turn.front()->GetRuntimeClass()->className;
+    record(out.organized.scan, *result_, out.record);
+    return out;
+}
+
+std::vector<CObservation::Ptr> TurnReducer::removedFrom(const Turn& turn,
+                                                        const ReducedTurn& reduced,
+                                                        const ScanClass& scanClass) const {
+    std::vector<CObservation::Ptr> removed;
+    size_t first = 0;
+    for (const auto& obs : turn) {
+        const SlotMask own =
+            SlotMask(reduced.removedSlots).subspan(first, scanClass.slotCount(*obs));
+        first += own.size();
+        removed.push_back(select(*obs, scanClass, own, Leftovers::Drop));
+    }
+    return removed;
+}
+
+}  // namespace offmap::rawlog
