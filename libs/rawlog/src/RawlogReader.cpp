@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/RawlogReader.h>
+#include <offmap/rawlog/RegisterClasses.h>
+
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/obs/CSensoryFrame.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+
+namespace offmap::rawlog {
+namespace {
+
+InputFile opened(const std::filesystem::path& file) {
+    try {
+        return InputFile(file);
+    } catch (const std::runtime_error& e) {
+        throw RawlogError(e.what(), {});
+    }
+}
+
+// MRPT nests its messages, each with a backtrace and source paths: the innermost message says it.
+std::string shortReason(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error)) return "a size in it cannot be true";
+    std::string_view text = error.what();
+    for (std::string_view mark : {"Original exception:", "Message:"}) {
+        const size_t at = text.rfind(mark);
+        if (at != std::string_view::npos) text.remove_prefix(at + mark.size());
+    }
+    text.remove_prefix(std::min(text.find_first_not_of(" \n"), text.size()));
+    constexpr size_t longest = 160;
+    std::string reason(text.substr(0, std::min(text.find('\n'), longest)));
+    for (char& c : reason) {
+        if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
+    }
+    return reason;
+}
+
+// An object begins with the length of its class name, the highest bit set, and the name; before
+// MRPT 0.5.5 with the length as 32 bits.
+bool beginsLikeAnObject(std::span<const std::byte> bytes) {
+    if (bytes.size() < 5) return false;
+    const auto byte = [&](size_t i) { return std::to_integer<unsigned char>(bytes[i]); };
+    const bool isOld = byte(0) < 0x80;
+    if (isOld && (byte(1) != 0 || byte(2) != 0 || byte(3) != 0)) return false;
+    const size_t begin = isOld ? 4 : 1;
+    const size_t end = std::min<size_t>(bytes.size(), begin + (byte(0) & 0x7f));
+    for (size_t i = begin; i < end; ++i) {
+        const bool isNameLetter = std::isalnum(byte(i)) || std::strchr("_:<>,", byte(i));
+        if (!isNameLetter) return false;
+    }
+    return end > begin;
+}
+
+bool belongsInRawlog(const mrpt::serialization::CSerializable* object) {
+    return !object || dynamic_cast<const mrpt::obs::CObservation*>(object) ||
+           dynamic_cast<const mrpt::obs::CActionCollection*>(object) ||
+           dynamic_cast<const mrpt::obs::CSensoryFrame*>(object);
+}
+
+}  // namespace
+
+RawlogReader::RawlogReader(const std::filesystem::path& file)
+    : file_(file),
+      input_(opened(file)),
+      stream_(input_),
+      archive_(
+          mrpt::serialization::archiveUniquePtrFrom(static_cast<mrpt::io::CStream&>(stream_))) {
+    registerMrptClasses();
+    if (!input_.atEnd()) return;
+    if (!input_.failure().empty()) fail(input_.failure());
+    throw RawlogError(file_.string() + " is empty: it holds no entry; check how it was recorded",
+                      place_);
+}
+
+std::optional<RawlogEntry> RawlogReader::next() {
+    stream_.beginRecord();
+    if (input_.atEnd()) {
+        if (!input_.failure().empty()) fail(input_.failure());
+        return std::nullopt;
+    }
+    const EntryPlace begin = place_;
+    RawlogEntry entry{begin, {}, readObject()};
+    entry.bytes = stream_.record();
+    place_ = {begin.index + 1, input_.position()};
+    return entry;
+}
+
+mrpt::serialization::CSerializable::Ptr RawlogReader::readObject() {
+    mrpt::serialization::CSerializable::Ptr object;
+    try {
+        object = archive_->ReadObject();
+    } catch (const std::exception& e) {
+        if (!input_.failure().empty()) fail(input_.failure());
+        if (place_.index == 0 && !beginsLikeAnObject(stream_.record())) {
+            throw RawlogError(file_.string() +
+                                  " is not a rawlog: it does not begin with an MRPT "
+                                  "object; name a .rawlog file",
+                              place_);
+        }
+        fail(stream_.cameShort() ? "the file ends inside it" : shortReason(e));
+    }
+    if (place_.index == 0 && !belongsInRawlog(object.get())) {
+        throw RawlogError(file_.string() + " is not a rawlog: it holds a " +
+                              object->GetRuntimeClass()->className + "; name a .rawlog file",
+                          place_);
+    }
+    return object;
+}
+
+void RawlogReader::fail(const std::string& reason) const {
+    throw RawlogError(unreadableEntry(file_, place_, reason), place_);
+}
+
+}  // namespace offmap::rawlog
