@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/rawlog/PoseSource.h>
+
+#include <mrpt/math/TPose2D.h>
+
+namespace offmap::rawlog {
+
+/// A vehicle that stands still on the ground.
+class FixedPose : public PoseSource {
+ public:
+    /// \param vehicleInMap [m], [rad]
+    /// \param sigmaPosition standard deviation of x and of y [m]
+    /// \param sigmaHeading standard deviation of the heading [rad]
+    /// \throw std::invalid_argument if something is not finite or a sigma is negative.
+    FixedPose(const mrpt::math::TPose2D& vehicleInMap, double sigmaPosition, double sigmaHeading);
+
+    PoseLookup at(mrpt::Clock::time_point time) const override;
+
+ private:
+    PoseLookup pose_;
+};
+
+}  // namespace offmap::rawlog

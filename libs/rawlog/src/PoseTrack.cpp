@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/PoseTrack.h>
+
+#include <Eigen/Cholesky>
+#include <mrpt/math/slerp.h>
+#include <mrpt/math/wrap2pi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace offmap::rawlog {
+namespace {
+
+using mrpt::math::TPose3D;
+using TimePoint = mrpt::Clock::time_point;
+
+// Unsigned: stamps of a corrupt log may lie further apart than a signed difference can tell.
+double secondsBetween(TimePoint earlier, TimePoint later) {
+    const auto ticks = static_cast<uint64_t>(later.time_since_epoch().count()) -
+                       static_cast<uint64_t>(earlier.time_since_epoch().count());
+    using Period = mrpt::Clock::period;
+    return static_cast<double>(ticks) * Period::num / Period::den;
+}
+
+bool isFinite(const TPose3D& pose) {
+    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.z) &&
+           std::isfinite(pose.yaw) && std::isfinite(pose.pitch) && std::isfinite(pose.roll);
+}
+
+Eigen::Matrix3d covarianceOf(const StampedPose& pose) {
+    const auto& c = pose.groundCovariance;
+    Eigen::Matrix3d covariance;
+    covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    return covariance;
+}
+
+TPose3D interpolated(const TPose3D& from, const TPose3D& to, double share) {
+    TPose3D pose;
+    mrpt::math::slerp_ypr(from, to, share, pose);
+    pose.x = std::lerp(from.x, to.x, share);
+    pose.y = std::lerp(from.y, to.y, share);
+    pose.z = std::lerp(from.z, to.z, share);
+    return pose;
+}
+
+// Mahalanobis distance of x, y, yaw under the sum of the covariances, within 3.
+bool agree(const StampedPose& a, const StampedPose& b) {
+    constexpr double floorPosition = 1e-3;                // [m]
+    constexpr double floorHeading = 0.05 * M_PI / 180.0;  // [rad]
+    const Eigen::Vector3d floorVariance(floorPosition * floorPosition,
+                                        floorPosition * floorPosition, floorHeading * floorHeading);
+    const Eigen::Vector3d difference(b.vehicleInMap.x - a.vehicleInMap.x,
+                                     b.vehicleInMap.y - a.vehicleInMap.y,
+                                     mrpt::math::wrapToPi(b.vehicleInMap.yaw - a.vehicleInMap.yaw));
+    Eigen::Matrix3d sum = covarianceOf(a) + covarianceOf(b);
+    sum.diagonal() += floorVariance;
+    return difference.dot(sum.ldlt().solve(difference)) <= 9.0;
+}
+
+PoseLookup lookup(const TPose3D& mean, const Eigen::Matrix3d& covariance) {
+    return {mrpt::poses::CPose3D(mean), covariance, {}};
+}
+
+PoseLookup none(core::PoseFault fault) { return {std::nullopt, Eigen::Matrix3d::Zero(), fault}; }
+
+}  // namespace
+
+StampedPose stampedPose(const mrpt::obs::CObservationRobotPose& observation) {
+    StampedPose pose{observation.timestamp, observation.pose.mean.asTPose(), {}, {}};
+    const auto& covariance = observation.pose.cov;
+    const Eigen::Matrix3d ground = core::groundBlock(covariance);
+    pose.groundCovariance = {ground(0, 0), ground(0, 1), ground(0, 2),
+                             ground(1, 1), ground(1, 2), ground(2, 2)};
+    if (!isFinite(pose.vehicleInMap) || !covariance.asEigen().allFinite()) {
+        pose.fault = core::PoseFault::NotFinite;
+    } else if (!core::isPositiveSemidefinite(covariance.asEigen())) {
+        pose.fault = core::PoseFault::NotPsd;
+    }
+    return pose;
+}
+
+PoseTrack::PoseTrack(std::vector<StampedPose> poses, double maxAge)
+    : poses_(std::move(poses)), maxAge_(maxAge) {
+    if (!std::isfinite(maxAge) || maxAge < 0) {
+        throw std::invalid_argument("the greatest age of a pose must be finite and not negative");
+    }
+    std::ranges::stable_sort(poses_, {}, &StampedPose::time);
+}
+
+std::optional<TimePoint> PoseTrack::begin() const {
+    return poses_.empty() ? std::nullopt : std::optional(poses_.front().time);
+}
+
+std::optional<TimePoint> PoseTrack::end() const {
+    return poses_.empty() ? std::nullopt : std::optional(poses_.back().time);
+}
+
+PoseLookup PoseTrack::at(TimePoint time) const {
+    if (poses_.empty()) return none(core::PoseFault::NoPose);
+    const auto after = std::ranges::upper_bound(poses_, time, {}, &StampedPose::time);
+    if (after == poses_.begin()) return atSingle(*after, time);
+    const StampedPose& before = *std::prev(after);
+    if (after == poses_.end() || before.time == time) return atSingle(before, time);
+    return between(before, *after, time);
+}
+
+PoseLookup PoseTrack::atSingle(const StampedPose& pose, TimePoint time) const {
+    const double age = secondsBetween(std::min(pose.time, time), std::max(pose.time, time));
+    if (age > maxAge_) return none(core::PoseFault::TooOld);
+    if (pose.fault) return none(*pose.fault);
+    return lookup(pose.vehicleInMap, covarianceOf(pose));
+}
+
+PoseLookup PoseTrack::between(const StampedPose& before, const StampedPose& after,
+                              TimePoint time) const {
+    if (before.fault) return none(*before.fault);
+    if (after.fault) return none(*after.fault);
+    const double sinceBefore = secondsBetween(before.time, time);
+    const double untilAfter = secondsBetween(time, after.time);
+    if (std::min(sinceBefore, untilAfter) > maxAge_ && !agree(before, after)) {
+        return none(core::PoseFault::TooOld);
+    }
+    const double share = sinceBefore / (sinceBefore + untilAfter);
+    return lookup(interpolated(before.vehicleInMap, after.vehicleInMap, share),
+                  (1 - share) * covarianceOf(before) + share * covarianceOf(after));
+}
+
+}  // namespace offmap::rawlog
