@@ -36,8 +36,9 @@ struct LineMap::Index {
 
 namespace {
 
-Box boundsOf(const TPoint2D& a, const TPoint2D& b) {
-    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+Box boundsOf(const TPoint2D& a, const TPoint2D& b, double margin = 0) {
+    return {{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
+            {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
 }
 
 void requireUsable(const Wall& wall, size_t index) {
@@ -52,22 +53,22 @@ void requireUsable(const Wall& wall, size_t index) {
     if (a == b) fail("has no length");
 }
 
-/// Ground range at which a ray meets a wall. A ray along the wall meets its nearer end.
+/// Ground range at which a ray meets a wall. A ray along the wall meets its nearer end. On which
+/// side of the ray an end point lies is worked out from that point alone, so that no ray slips
+/// through between two walls that share it.
 std::optional<double> rangeTo(const Wall& wall, const TPoint2D& origin, const TPoint2D& direction) {
-    const TPoint2D along = wall.line.point2 - wall.line.point1;
-    const TPoint2D start = wall.line.point1 - origin;
-    const auto cross = [](const TPoint2D& u, const TPoint2D& v) { return u.x * v.y - u.y * v.x; };
-    const auto dot = [](const TPoint2D& u, const TPoint2D& v) { return u.x * v.x + u.y * v.y; };
-    const double denominator = cross(direction, along);
-    if (denominator == 0) {
-        if (cross(start, direction) != 0) return std::nullopt;
-        const double a = dot(start, direction), b = dot(start + along, direction);
-        if (a < 0 && b < 0) return std::nullopt;
-        return a < 0 || b < 0 ? 0.0 : std::min(a, b);
+    const TPoint2D a = wall.line.point1 - origin, b = wall.line.point2 - origin;
+    const double leftA = direction.x * a.y - direction.y * a.x;
+    const double leftB = direction.x * b.y - direction.y * b.x;
+    if ((leftA > 0 && leftB > 0) || (leftA < 0 && leftB < 0)) return std::nullopt;
+    const double alongA = direction.x * a.x + direction.y * a.y;
+    const double alongB = direction.x * b.x + direction.y * b.y;
+    if (leftA == leftB) {  // both 0: the wall lies along the ray
+        if (alongA < 0 && alongB < 0) return std::nullopt;
+        return std::max(std::min(alongA, alongB), 0.0);
     }
-    const double range = cross(start, along) / denominator;
-    const double share = cross(start, direction) / denominator;
-    if (range < 0 || share < 0 || share > 1) return std::nullopt;
+    const double range = alongA + leftA / (leftA - leftB) * (alongB - alongA);
+    if (range < 0) return std::nullopt;
     return range;
 }
 
@@ -85,7 +86,9 @@ LineMap::LineMap(std::vector<Wall> walls) : walls_(std::move(walls)) {
     entries.reserve(walls_.size());
     for (size_t i = 0; i < walls_.size(); ++i) {
         requireUsable(walls_[i], i);
-        entries.emplace_back(boundsOf(walls_[i].line.point1, walls_[i].line.point2),
+        // [m] more than what rounding takes from the look-up, even in coordinates of 1e7 m.
+        constexpr double margin = 1e-6;
+        entries.emplace_back(boundsOf(walls_[i].line.point1, walls_[i].line.point2, margin),
                              static_cast<uint32_t>(i));
     }
     index_ = std::make_unique<const Index>(entries);
