@@ -30,19 +30,23 @@ bool allWithin(Points points, const Run& run, const FittedLine& line, double dis
                        [&](const TPoint2D& p) { return line.distance(p) <= distance; });
 }
 
-/// Cuts a run where a point is too far from the chord; the point begins the second part, unless it
-/// ends the run.
+/// Where a run has to be cut: at the point furthest from the chord of its ends, or else from the
+/// line fitted to it, if that is too far. The point begins the second part, unless it is the first
+/// of the run. run.end: nowhere.
 uint32_t splitPoint(Points points, const Run& run, double maxPointToLine) {
-    const FittedLine chord = chordOf(points, run);
-    double furthest = maxPointToLine;
     uint32_t at = run.end;
-    for (uint32_t i = run.begin + 1; i + 1 < run.end; ++i) {
-        const double distance = chord.distance(points[i]);
-        if (distance > furthest) {
-            furthest = distance;
-            at = i;
+    const auto lookAlong = [&](const FittedLine& line) {
+        double furthest = maxPointToLine;
+        for (uint32_t i = run.begin; i < run.end; ++i) {
+            const double distance = line.distance(points[i]);
+            if (distance > furthest) {
+                furthest = distance;
+                at = std::max(i, run.begin + 1);
+            }
         }
-    }
+    };
+    lookAlong(chordOf(points, run));
+    if (at == run.end) lookAlong(fitTo(points, run));
     return at;
 }
 
