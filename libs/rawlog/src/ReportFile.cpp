@@ -76,9 +76,7 @@ std::string text(const ordered_json& json, int indent) {
 
 }  // namespace
 
-ReportFile::ReportFile(const std::filesystem::path& target, const OutputOptions& options,
-                       const ordered_json& head)
-    : file_(target, options) {
+void ReportFile::begin(const ordered_json& head) {
     file_.write("{\n");
     for (const auto& [key, value] : head.items()) {
         file_.write(text(key, -1) + ": " + text(value, -1) + ",\n");

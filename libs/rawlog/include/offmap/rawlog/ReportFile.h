@@ -15,10 +15,11 @@ namespace offmap::rawlog {
 /// stable; doc/formats.md tells what they mean.
 class ReportFile {
  public:
-    /// \param head members that come before the scans: what was reduced, with what
-    ReportFile(const std::filesystem::path& target, const OutputOptions& options,
-               const nlohmann::ordered_json& head);
+    ReportFile(const std::filesystem::path& target, const OutputOptions& options)
+        : file_(target, options) {}
 
+    /// \param head members that come before the scans: what was reduced, with what
+    void begin(const nlohmann::ordered_json& head);
     void add(const TurnRecord& turn);
     /// \param tail members that come after the totals
     void finish(const ReductionTotals& totals, const nlohmann::ordered_json& tail);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Progress.h"
+
+#include <offmap/rawlog/GroupedDigits.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+namespace offmap::app {
+
+namespace {
+
+constexpr std::chrono::milliseconds betweenDrawings{100};
+constexpr std::chrono::seconds betweenLines{10};
+
+std::string minutes(double seconds) {
+    const auto whole = static_cast<long>(seconds + 0.5);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string bar(double share) {
+    constexpr int width = 32;
+    const int done = std::clamp(static_cast<int>(share * width), 0, width);
+    return std::string(static_cast<size_t>(done), '=') + (done < width ? ">" : "") +
+           std::string(static_cast<size_t>(std::max(width - done - 1, 0)), ' ');
+}
+
+}  // namespace
+
+Progress::Progress(bool quiet)
+    : terminal_(isatty(STDERR_FILENO) == 1),
+      quiet_(quiet),
+      next_(Clock::now() + (terminal_ ? std::chrono::milliseconds(300)
+                                      : std::chrono::milliseconds(betweenLines))) {}
+
+void Progress::tell(double share, uint64_t scans, double logSeconds) {
+    const auto now = Clock::now();
+    if (quiet_ || now < next_) return;
+    next_ = now + (terminal_ ? betweenDrawings : std::chrono::milliseconds(betweenLines));
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double left = share > 0 ? seconds * (1 - share) / share : 0;
+    const std::string figures =
+        fmt::format("{} scans  {:.0f} scans/s  {:.0f}x real time  ETA {}", rawlog::grouped(scans),
+                    static_cast<double>(scans) / seconds, logSeconds / seconds, minutes(left));
+    if (terminal_) {
+        fmt::print(stderr, "\r[{}] {:3.0f} %  {}\x1b[K", bar(share), 100 * share, figures);
+    } else {
+        fmt::print(stderr, "{:.0f} %  {}\n", 100 * share, figures);
+    }
+    std::fflush(stderr);
+    drawn_ = terminal_;
+}
+
+void Progress::clear() {
+    if (drawn_) fmt::print(stderr, "\r\x1b[K");
+    drawn_ = false;
+}
+
+}  // namespace offmap::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace offmap::app {
+
+/// Tells on stderr how far a long task is: one line that is drawn anew on a terminal, now and then
+/// a line of its own where the output is piped.
+class Progress {
+ public:
+    /// \param quiet tells nothing
+    explicit Progress(bool quiet);
+    ~Progress() { clear(); }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// \param share [0, 1] of the task that is done \param logSeconds [s] of the log that is done
+    void tell(double share, uint64_t scans, double logSeconds);
+    /// Takes the line off the terminal.
+    void clear();
+
+ private:
+    using Clock = std::chrono::steady_clock;
+
+    bool terminal_, quiet_, drawn_ = false;
+    Clock::time_point start_ = Clock::now(), next_;
+};
+
+}  // namespace offmap::app

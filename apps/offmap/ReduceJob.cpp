@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReduceJob.h"
+
+#include "Progress.h"
+#include "SummaryText.h"
+#include "UsageError.h"
+
+#include <offmap/rawlog/GroupedDigits.h>
+#include <offmap/rawlog/LogReduction.h>
+#include <offmap/rawlog/ParameterTable.h>
+#include <offmap/rawlog/RegisterClasses.h>
+#include <offmap/rawlog/ReportFile.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <optional>
+
+namespace offmap::app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+/// The outputs of one reduction, all of which are complete before the first one appears.
+struct Outputs {
+    Outputs(const ReduceOptions& options, rawlog::GuardedStatus& status) {
+        rawlog::OutputOptions rawlogOptions{1, options.force, &status};
+        reduced.emplace(options.output, rawlogOptions);
+        if (!options.removed.empty()) removed.emplace(options.removed, rawlogOptions);
+        if (!options.report.empty()) {
+            report.emplace(options.report,
+                           rawlog::OutputOptions{std::nullopt, options.force, &status});
+        }
+    }
+
+    std::optional<rawlog::RawlogWriter> reduced, removed;
+    std::optional<rawlog::ReportFile> report;
+};
+
+void requireScans(const ReduceOptions& options, const rawlog::LogSurvey& survey) {
+    for (const std::string& label : options.sensors) {
+        if (survey.sensors.contains(label)) continue;
+        std::vector<std::string> labels;
+        for (const auto& [known, sensor] : survey.sensors) labels.push_back(known);
+        throw UsageError(fmt::format("{} has no sensor labelled '{}'; it has: {}",
+                                     options.input.string(), label, fmt::join(labels, ", ")));
+    }
+    if (survey.holdsScans() || options.keepGoing) return;
+    std::vector<std::string> seen;
+    for (const auto& [label, sensor] : survey.sensors) {
+        seen.push_back(fmt::format("{} ({} x {})", label, rawlog::grouped(sensor.observations),
+                                   sensor.className));
+    }
+    throw std::runtime_error(
+        fmt::format("{} holds no 3D scan that could be reduced, only: {}; a VLP-16, a point cloud "
+                    "or a 2D scanner that "
+                    "turns about the vertical is needed (--keep-going copies the log)",
+                    options.input.string(),
+                    seen.empty() ? "no observation" : fmt::format("{}", fmt::join(seen, ", "))));
+}
+
+ordered_json reportHead(const ReduceOptions& options, const rawlog::Config& config,
+                        const core::LineMap& map, const ChosenPoses& poses) {
+    ordered_json parameters = ordered_json::object();
+    for (const rawlog::Parameter& parameter : rawlog::parameters()) {
+        parameters[std::string(parameter.key)] = parameter.text(config);
+    }
+    ordered_json head;
+    head["offmap"] = OFFMAP_VERSION;
+    head["input"] = options.input.string();
+    head["map"] = {{"file", options.shared.map.string()}, {"walls", map.walls().size()}};
+    head["poses"] = poses.description;
+    head["parameters"] = parameters;
+    return head;
+}
+
+/// Reads the log a second time and writes the outputs, which then are complete but not yet
+/// published.
+rawlog::ReductionTotals writeOutputs(const ReduceOptions& options, const rawlog::Config& config,
+                                     const core::LineMap& map, const rawlog::LogSurvey& survey,
+                                     const rawlog::PoseSource& poses, Outputs& outputs,
+                                     rawlog::GuardedStatus& status) {
+    rawlog::ReductionTotals totals;
+    Progress progress(options.quiet);
+    rawlog::TurnReducer reducer(map, poses, config, options.outputClass);
+    rawlog::LogReduction reduction(
+        survey, reducer, config,
+        {options.input, {options.sensors.begin(), options.sensors.end()}, options.keepGoing},
+        *outputs.reduced, outputs.removed ? &*outputs.removed : nullptr);
+    reduction.onTurn = [&](const rawlog::TurnRecord& turn) {
+        totals.add(turn);
+        if (outputs.report) outputs.report->add(turn);
+    };
+    reduction.onNotSupported = [&](const std::string& reason) { ++totals.notSupported[reason]; };
+
+    rawlog::RawlogReader reader(options.input);
+    for (uint64_t entries = 0; entries < survey.entries; ++entries) {
+        status.atEntry(reader.place());
+        const auto entry = reader.next();
+        if (!entry)
+            throw std::runtime_error(options.input.string() + " became shorter while it was read");
+        reduction.add(*entry);
+        progress.tell(static_cast<double>(entries) / static_cast<double>(survey.entries),
+                      totals.scans, totals.logSeconds());
+    }
+    reduction.finish();
+    outputs.reduced->finish();
+    if (outputs.removed) outputs.removed->finish();
+    return totals;
+}
+
+/// "212.4 MB"
+std::string size(const std::filesystem::path& file) {
+    const auto bytes = static_cast<double>(std::filesystem::file_size(file));
+    return bytes < 1e6 ? fmt::format("{:.1f} kB", bytes / 1e3)
+                       : fmt::format("{:.1f} MB", bytes / 1e6);
+}
+
+void publish(Outputs& outputs, rawlog::GuardedStatus& status) {
+    status.beginPublishing();
+    if (outputs.removed) outputs.removed->publish();
+    if (outputs.report) outputs.report->publish();
+    outputs.reduced->publish();  // last: where it is, the others are
+}
+
+}  // namespace
+
+int reduceLog(const ReduceOptions& options, const rawlog::Config& config, const core::LineMap& map,
+              const ReadableLog& readable, rawlog::GuardedStatus& status) {
+    const auto begin = SteadyClock::now();
+    rawlog::registerMrptClasses();
+    rawlog::RawlogReader reader(options.input);
+    Outputs outputs(options, status);
+    const rawlog::LogSurvey survey =
+        rawlog::surveyLog(reader, readable.entries, [&] { status.atEntry(reader.place()); });
+    std::string endsBecause = readable.endsBecause;
+    if (survey.damage) {
+        if (!options.keepGoing) throw *survey.damage;
+        endsBecause = survey.damage->what();
+    }
+    requireScans(options, survey);
+    const ChosenPoses poses =
+        choosePoses(options.shared, config, options.input, survey, options.keepGoing);
+    if (!options.quiet) {
+        fmt::print("map     {}\nposes   {}\n", describe(map, options.shared.map.string()),
+                   poses.description);
+        std::fflush(stdout);
+    }
+
+    if (outputs.report) outputs.report->begin(reportHead(options, config, map, poses));
+    const rawlog::ReductionTotals totals =
+        writeOutputs(options, config, map, survey, *poses.source, outputs, status);
+    std::vector<std::string> warnings = totals.warnings();
+    if (!endsBecause.empty()) {
+        warnings.push_back(fmt::format("only the first {} entries were read: {}",
+                                       rawlog::grouped(survey.entries), endsBecause));
+    }
+    if (outputs.report)
+        outputs.report->finish(totals, {{"entries", survey.entries}, {"warnings", warnings}});
+    publish(outputs, status);
+
+    if (!options.quiet) {
+        const std::chrono::duration<double> took = SteadyClock::now() - begin;
+        fmt::print("{}wrote   {} ({}, was {})\n", summaryOf(totals, took.count()),
+                   options.output.string(), size(options.output), size(options.input));
+        std::fflush(stdout);
+    }
+    for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+    const bool all = totals.scansNotReduced() == 0 && totals.observationsNotSupported() == 0 &&
+                     totals.columnsWithoutPose == 0 && totals.scans > 0;
+    return options.strict && !all ? exitNotReduced : exitDone;
+}
+
+}  // namespace offmap::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReduceOptions.h"
+
+#include "UsageError.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+namespace offmap::app {
+
+namespace {
+
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(a, b, ignored)) return true;
+    return std::filesystem::weakly_canonical(a, ignored) ==
+           std::filesystem::weakly_canonical(b, ignored);
+}
+
+}  // namespace
+
+void ReduceOptions::addTo(CLI::App& command) {
+    using rawlog::OutputClass;
+    command.add_option("input", input, "Rawlog to reduce; it is only read")
+        ->required()
+        ->type_name("IN");
+    command.add_option("-o,--out", output, "Reduced rawlog")->required()->type_name("OUT");
+    shared.addTo(command);
+    command.add_option("--removed", removed, "Rawlog of what was removed; with OUT it makes up IN")
+        ->type_name("FILE");
+    command.add_option("--report", report, "Figures in total and per scan")->type_name("FILE.json");
+    command.add_option("--sensor", sensors, "Reduce this sensor only; may be repeated")
+        ->type_name("LABEL")
+        ->allow_extra_args(false);
+    command
+        .add_option("--output", outputClass,
+                    "Class of reduced observations: same, or points "
+                    "(CObservationPointCloud)")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, OutputClass>{
+            {"same", OutputClass::Same}, {"points", OutputClass::Points}}))
+        ->type_name("same|points");
+    command.add_flag("--strict", strict, "Exit with 3 if a scan could not be reduced");
+    command.add_flag("--keep-going", keepGoing,
+                     "Write what can be read of a damaged log; copy scans without "
+                     "poses");
+    command.add_flag("--force", force, "Replace existing outputs");
+    command.add_flag("--quiet", quiet, "No progress and no summary; warnings stay");
+}
+
+void ReduceOptions::checkFiles() const {
+    const std::vector<std::pair<std::string, std::filesystem::path>> files{
+        {"IN", input},        {"OUT", output},       {"--removed", removed},
+        {"--report", report}, {"--map", shared.map}, {"--config", shared.config}};
+    for (size_t a = 0; a < files.size(); ++a) {
+        for (size_t b = a + 1; b < files.size(); ++b) {
+            if (files[a].second.empty() || files[b].second.empty()) continue;
+            if (sameFile(files[a].second, files[b].second)) {
+                throw UsageError(fmt::format("{} and {} are the same file, {}; give each its own",
+                                             files[a].first, files[b].first,
+                                             files[b].second.string()));
+            }
+        }
+    }
+}
+
+}  // namespace offmap::app

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderCommand.h"
+
+#include "SharedOptions.h"
+#include "UsageError.h"
+
+#include <offmap/rawlog/EntryPlace.h>
+#include <offmap/rawlog/GuardedRun.h>
+#include <offmap/rawlog/RawlogReader.h>
+#include <offmap/rawlog/RegisterClasses.h>
+#include <offmap/rawlog/ScanClasses.h>
+#include <offmap/rawlog/TurnReducer.h>
+#include <offmap/rawlog/TurnSearch.h>
+#include <offmap/view/Figure.h>
+#include <offmap/view/Render.h>
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+namespace offmap::app {
+
+namespace {
+
+struct RenderOptions {
+    std::filesystem::path input, output;
+    SharedOptions shared;
+    uint64_t entry = 0;
+    bool force = false;
+
+    void addTo(CLI::App& command) {
+        command.add_option("input", input, "Rawlog; it is only read")->required()->type_name("IN");
+        command.add_option("-o,--out", output, "Picture")->required()->type_name("F.png");
+        shared.addTo(command);
+        command
+            .add_option("--entry", entry, "The first scan at or after this entry of the log (0)")
+            ->type_name("N");
+        command.add_flag("--force", force, "Replace an existing picture");
+    }
+};
+
+void render(const RenderOptions& options, const rawlog::Config& config, const core::LineMap& map,
+            rawlog::GuardedStatus& status) {
+    rawlog::registerMrptClasses();
+    rawlog::RawlogReader first(options.input), second(options.input);
+    const rawlog::LogSurvey survey = rawlog::surveyLog(first, std::numeric_limits<uint64_t>::max(),
+                                                       [&] { status.atEntry(first.place()); });
+    if (survey.damage) throw *survey.damage;
+    const ChosenPoses poses = choosePoses(options.shared, config, options.input, survey, false);
+    const auto turn = rawlog::findTurn(second, survey, config.sensor, options.entry, options.input,
+                                       [&] { status.atEntry(second.place()); });
+    if (!turn) {
+        throw std::runtime_error(fmt::format("{} has no 3D scan at or after entry {}",
+                                             options.input.string(), options.entry));
+    }
+    rawlog::TurnReducer reducer(map, *poses.source, config, rawlog::OutputClass::Same);
+    const rawlog::ReducedTurn reduced = reducer.reduce(*turn, *rawlog::scanClassOf(*turn->front()));
+    view::FigureOptions figure;
+    figure.title = options.input.filename().string();
+    figure.fallbackSensorInMap = mrpt::poses::CPose3D();
+    view::writePng(view::figureOf(reduced.organized.scan, reducer.result(), map, figure),
+                   options.output);
+    fmt::print("wrote   {}\n", options.output.string());
+}
+
+int renderGuarded(const RenderOptions& options) {
+    using Kind = rawlog::GuardedOutcome::Kind;
+    const rawlog::Config config = options.shared.readConfig();
+    const core::LineMap map = options.shared.readMap(config);
+    if (!options.force && std::filesystem::exists(options.output)) {
+        throw std::runtime_error(options.output.string() + " exists already; --force replaces it");
+    }
+    const rawlog::GuardedOutcome outcome = rawlog::runGuarded([&](rawlog::GuardedStatus& status) {
+        try {
+            render(options, config, map, status);
+            std::fflush(stdout);
+            return static_cast<int>(exitDone);
+        } catch (const UsageError& error) {
+            fmt::print(stderr, "offmap: {}\n", error.what());
+            return static_cast<int>(exitUsage);
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "offmap: {}\n", error.what());
+            return static_cast<int>(exitFailed);
+        }
+    });
+    if (outcome.kind == Kind::Finished) return outcome.exitCode;
+    if (outcome.kind == Kind::Interrupted) return 128 + outcome.signal;
+    fmt::print(stderr, "offmap: {}\n",
+               rawlog::unreadableEntry(options.input, outcome.place.value_or(rawlog::EntryPlace{}),
+                                       outcome.cause));
+    return exitFailed;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, int& exitCode) {
+    CLI::App& command =
+        *app.add_subcommand("render", "Draw one scan, what the map knows of it in dark red");
+    const auto options = std::make_shared<RenderOptions>();
+    options->addTo(command);
+    command.callback([options, &exitCode] { exitCode = renderGuarded(*options); });
+}
+
+}  // namespace offmap::app

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/LineMap.h>
+#include <offmap/rawlog/Config.h>
+#include <offmap/rawlog/LogSurvey.h>
+#include <offmap/rawlog/PoseSource.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace offmap::app {
+
+/// What every subcommand that reduces scans asks for: map, configuration and poses.
+struct SharedOptions {
+    std::filesystem::path map;
+    std::string mapOrigin;  ///< "x,y,yaw_deg"; empty: 0,0,0
+    std::string method;
+    std::filesystem::path config;
+    std::vector<std::string> settings;  ///< "key=value"
+    std::string poseLabel;
+    std::string pose;       ///< "x,y,yaw_deg"; empty: poses come from the log
+    std::string poseSigma;  ///< "m,deg"; empty: as configured
+
+    void addTo(CLI::App& command);
+
+    /// \throw UsageError for a wrong configuration, file or command line
+    rawlog::Config readConfig() const;
+    /// \throw UsageError for a wrong --map-origin, std::runtime_error for a map that cannot be read
+    core::LineMap readMap(const rawlog::Config& config) const;
+};
+
+/// Where poses come from, and how to say so.
+struct ChosenPoses {
+    std::unique_ptr<rawlog::PoseSource> source;
+    std::string description;  ///< "LOCALIZATION: 1,204 robot poses"
+};
+
+/// \param mayBeMissing a log without poses is no error; its scans are then kept
+/// \throw UsageError if the choice is not clear, std::runtime_error if there is no pose at all
+ChosenPoses choosePoses(const SharedOptions& options, const rawlog::Config& config,
+                        const std::filesystem::path& log, const rawlog::LogSurvey& survey,
+                        bool mayBeMissing);
+
+}  // namespace offmap::app

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SummaryText.h"
+
+#include <offmap/rawlog/GroupedDigits.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace offmap::app {
+
+using rawlog::grouped;
+using rawlog::ReductionTotals;
+
+namespace {
+
+double percent(uint64_t part, uint64_t whole) {
+    return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string inWords(core::KeepReason reason) {
+    switch (reason) {
+        case core::KeepReason::None:
+            break;
+        case core::KeepReason::InFrontOfWall:
+            return "in front of a wall";
+        case core::KeepReason::BehindWall:
+            return "behind a wall";
+        case core::KeepReason::NoWallOnRay:
+            return "no wall on the ray";
+        case core::KeepReason::AmbiguousCorner:
+            return "ambiguous corner";
+        case core::KeepReason::NoPose:
+            return "no pose";
+    }
+    return "";
+}
+
+std::string inWords(const std::string& reason) {
+    std::string words = reason;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+/// "in front of a wall 68 %, behind a wall 32 %", the most frequent first.
+std::string keptText(const ReductionTotals& totals, uint64_t kept) {
+    std::vector<std::pair<uint64_t, std::string>> reasons;
+    for (size_t r = 0; r < totals.keptByReason.size(); ++r) {
+        if (totals.keptByReason[r] == 0) continue;
+        reasons.emplace_back(totals.keptByReason[r], inWords(static_cast<core::KeepReason>(r)));
+    }
+    std::stable_sort(reasons.begin(), reasons.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<std::string> parts;
+    for (const auto& [count, words] : reasons) {
+        parts.push_back(fmt::format("{} {:.0f} %", words, percent(count, kept)));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string scansText(const ReductionTotals& totals) {
+    std::vector<std::string> parts;
+    for (const auto& [reason, count] : totals.notReduced) {
+        parts.push_back(fmt::format("{} {}", grouped(count), inWords(reason)));
+    }
+    return parts.empty() ? "" : fmt::format("   (kept whole: {})", fmt::join(parts, ", "));
+}
+
+std::string skippedText(const ReductionTotals& totals) {
+    std::vector<std::string> parts;
+    const auto add = [&](uint64_t count, const char* what) {
+        if (count > 0) parts.push_back(fmt::format("{} {}", grouped(count), what));
+    };
+    add(totals.counts.nonFinite, "not finite");
+    add(totals.counts.duplicates, "duplicate");
+    return parts.empty() ? "" : fmt::format("   (kept unseen: {})", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::string describe(const core::LineMap& map, const std::string& name) {
+    double length = 0;
+    for (const core::Wall& wall : map.walls()) length += wall.line.length();
+    return fmt::format("{}: {} walls, {:.1f} m", name, grouped(map.walls().size()), length);
+}
+
+std::string summaryOf(const ReductionTotals& totals, double wallSeconds) {
+    const uint64_t onSegments = totals.onVerticalSegments, removed = totals.removed();
+    const uint64_t kept = onSegments - removed;
+    std::string out = fmt::format("scans   {:>12}{}\n", grouped(totals.scans), scansText(totals));
+    out += fmt::format("points  {:>12}   on vertical segments {} ({:.1f} %){}\n",
+                       grouped(totals.counts.returns), grouped(onSegments),
+                       percent(onSegments, totals.counts.returns), skippedText(totals));
+    out += fmt::format("removed {:>12}   {:.1f} % of those, {:.1f} % of all", grouped(removed),
+                       percent(removed, onSegments), percent(removed, totals.counts.returns));
+    if (removed > 0) {
+        out += fmt::format(
+            "   (by ray {:.0f} %, by extension {:.0f} %{})", percent(totals.removedByRay, removed),
+            percent(totals.removedByExtension, removed),
+            totals.removedAsOrphans == 0
+                ? ""
+                : fmt::format(", orphans {:.0f} %", percent(totals.removedAsOrphans, removed)));
+    }
+    out += fmt::format("\nkept    {:>12}   of those", grouped(kept));
+    if (kept > 0) out += ": " + keptText(totals, kept);
+    if (totals.columnsWithoutPose > 0) {
+        out += fmt::format("\nposes   {:>12}   of {} columns have none that could be used",
+                           grouped(totals.columnsWithoutPose), grouped(totals.columns));
+    }
+    if (const auto median = totals.milliseconds.quantile(0.5)) {
+        out += fmt::format("\ntime    {:>9.2f} ms   per scan (median); {:.1f} s in all", *median,
+                           wallSeconds);
+        if (totals.logSeconds() > 0) {
+            out += fmt::format(", {:.0f}x real time", totals.logSeconds() / wallSeconds);
+        }
+    }
+    return out + "\n";
+}
+
+}  // namespace offmap::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReduceCommand.h"
+#include "RenderCommand.h"
+#include "UsageError.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <exception>
+
+int main(int argc, char** argv) {
+    using namespace offmap::app;
+    CLI::App app("offmap takes out of a 3D laser scan what a 2D map already knows.", "offmap");
+    app.set_version_flag("--version", "offmap " OFFMAP_VERSION);
+    app.require_subcommand(1);
+    int exitCode = exitDone;
+    addReduceCommand(app, exitCode);
+    addRenderCommand(app, exitCode);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exitDone : exitUsage;
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "offmap: {}\n", error.what());
+        return exitUsage;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "offmap: {}\n", error.what());
+        return exitFailed;
+    }
+    return exitCode;
+}
