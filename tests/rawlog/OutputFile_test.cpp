@@ -121,6 +121,18 @@ TEST(OutputFile, existingFileIsReplacedOnlyIfAllowed) {
     EXPECT_EQ(readFile(folder / "out"), "new");
 }
 
+TEST(OutputFile, linkIsReplacedNotFollowed) {
+    const TemporaryFolder folder;
+    writeFile(folder / "precious", "log");
+    std::filesystem::create_symlink(folder / "precious", folder / "out");
+    std::filesystem::create_symlink(folder / "nowhere", folder / "dangling");
+    EXPECT_THAT(errorOf(folder / "out"), HasSubstr("it exists already"));
+    EXPECT_THAT(errorOf(folder / "dangling"), HasSubstr("it exists already"));
+    OutputFile(folder / "out", {.overwrite = true}).publish();
+    EXPECT_EQ(readFile(folder / "out"), "");
+    EXPECT_EQ(readFile(folder / "precious"), "log");
+}
+
 TEST(OutputFile, fileThatAppearedMeanwhileIsNotReplaced) {
     const TemporaryFolder folder;
     OutputFile file(folder / "out");

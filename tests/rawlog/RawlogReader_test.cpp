@@ -145,6 +145,7 @@ TEST_F(RawlogReaderOnFile, flippedByteInGzipIsNoticed) {
     packed[packed.size() / 2] ^= 0x01;
     const ReadLog read = readContent(packed);
     EXPECT_THAT(read.error, HasSubstr("x.rawlog: entry "));
+    // What came before the flipped byte is right; its half is on the safe side.
     const std::string original = gunzippedFile(datasets / "localization_demo.rawlog");
     EXPECT_THAT(original, testing::StartsWith(read.bytes.substr(0, original.size() / 4)));
 }

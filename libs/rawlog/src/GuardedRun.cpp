@@ -105,17 +105,19 @@ void flushStandardStreams() {
         memory.threw = true;
     };
     int exitCode = 1;
+    bool finished = false;
     try {
         GuardedStatus status(memory);
         exitCode = work(status);
-        flushStandardStreams();
-        memory.finished = true;
+        finished = true;
     } catch (const std::exception& e) {
         threw(e.what());
     } catch (...) {
         threw("unknown exception");
     }
+    flushStandardStreams();
     if (__gcov_dump) __gcov_dump();
+    memory.finished = finished;
     _exit(exitCode);
 }
 

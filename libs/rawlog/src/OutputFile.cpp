@@ -101,12 +101,13 @@ void OutputFile::checkTarget() const {
         throw std::runtime_error(
             fmt::format("cannot write {}: it is a folder; name a file in it", target_.string()));
     }
+    const bool isTaken = fs::exists(fs::symlink_status(target_, error));  // also by a dangling link
+    if (isTaken && !options_.overwrite) fail(EEXIST);
     if (!fs::exists(status)) return;
     if (!fs::is_regular_file(status)) {
         throw std::runtime_error(fmt::format(
             "cannot write {}: it is not a regular file; choose another name", target_.string()));
     }
-    if (!options_.overwrite) fail(EEXIST);
 }
 
 void OutputFile::openTemporary() {

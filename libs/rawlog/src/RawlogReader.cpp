@@ -32,6 +32,7 @@ std::string shortReason(const std::exception& error) {
     text.remove_prefix(std::min(text.find_first_not_of(" \n"), text.size()));
     constexpr size_t longest = 160;
     std::string reason(text.substr(0, std::min(text.find('\n'), longest)));
+    while (!reason.empty() && std::strchr(".!", reason.back())) reason.pop_back();
     for (char& c : reason) {
         if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
     }
