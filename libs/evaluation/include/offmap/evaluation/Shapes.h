@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/Interval.h>
+
+#include <mrpt/math/TPoint2D.h>
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt/math/TPose2D.h>
+#include <mrpt/math/TSegment2D.h>
+
+#include <optional>
+
+namespace offmap::evaluation {
+
+/// A laser beam. All shapes stand in the same frame, z up.
+struct Ray {
+    mrpt::math::TPoint3D origin;      ///< [m]
+    mrpt::math::TVector3D direction;  ///< unit vector
+};
+
+/// A vertical rectangle, seen from both sides.
+struct Panel {
+    mrpt::math::TSegment2D line;  ///< [m] in top view
+    core::Interval height;        ///< [m] z
+};
+
+/// A horizontal plane without end, seen from both sides.
+struct Plane {
+    double z;  ///< [m]
+};
+
+/// A standing, closed cylinder.
+struct Cylinder {
+    mrpt::math::TPoint2D centre;  ///< [m]
+    double radius;                ///< [m]
+    core::Interval height;        ///< [m] z
+};
+
+/// A closed box, turned about the vertical.
+struct Box {
+    mrpt::math::TPose2D centre;  ///< [m], [rad]
+    double length;               ///< [m] along its own x axis
+    double width;                ///< [m] along its own y axis
+    core::Interval height;       ///< [m] z
+};
+
+/// Distance from the ray's origin to where it first meets the shape from outside, if it does. A ray
+/// that lies in a panel or plane does not meet it. [m]
+std::optional<double> meet(const Ray& ray, const Panel& panel);
+std::optional<double> meet(const Ray& ray, const Plane& plane);
+std::optional<double> meet(const Ray& ray, const Cylinder& cylinder);
+std::optional<double> meet(const Ray& ray, const Box& box);
+
+}  // namespace offmap::evaluation

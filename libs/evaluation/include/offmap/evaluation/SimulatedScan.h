@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/OrganizedScan.h>
+#include <offmap/core/SensorPose.h>
+#include <offmap/evaluation/GaussianNoise.h>
+#include <offmap/evaluation/Scanner.h>
+#include <offmap/evaluation/World.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace offmap::evaluation {
+
+/// Standard deviations of what a beam measures, each independent of every other.
+struct ScannerNoise {
+    double range = 0;  ///< [m]
+    double angle = 0;  ///< [rad] of azimuth and of elevation
+};
+
+/// What a return truly comes from.
+struct PointTruth {
+    uint32_t surface;  ///< its id in the world
+    SurfaceKind kind;
+    bool mapped;
+};
+
+struct SimulatedScan {
+    core::OrganizedScan scan;       ///< sourceIndex counts all beams, column by column
+    std::vector<PointTruth> truth;  ///< one per point
+};
+
+/// One turn of a standing scanner, mounted upright at the vehicle's origin.
+/// \param sensor where it truly stands; the columns carry it as their pose. To give them another,
+/// see setSensor().
+/// \throw std::invalid_argument if a standard deviation is negative
+SimulatedScan simulate(const World& world, const Scanner& scanner, const core::SensorPose& sensor,
+                       const ScannerNoise& noise, uint64_t seed);
+
+/// Gives every column this pose.
+void setSensor(core::OrganizedScan& scan, const core::SensorPose& sensor);
+
+/// What a localisation of this covariance might say: the covariance of the result, and a mean that
+/// is off the truth by an error drawn from it.
+core::SensorPose drawEstimate(const core::SensorPose& truth, GaussianNoise& noise);
+
+}  // namespace offmap::evaluation

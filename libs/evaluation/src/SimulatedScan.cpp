@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/evaluation/SimulatedScan.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace offmap::evaluation {
+
+namespace {
+
+using mrpt::math::TPoint3D;
+using mrpt::math::TVector3D;
+
+TVector3D beam(double azimuth, double elevation) {
+    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+            std::sin(elevation)};
+}
+
+/// Fires single beams from one place.
+class Beams {
+ public:
+    Beams(const World& world, const Scanner& scanner, const mrpt::poses::CPose3D& sensorInMap,
+          const ScannerNoise& noise, uint64_t seed)
+        : world_(world),
+          scanner_(scanner),
+          sensorInMap_(sensorInMap),
+          noise_(noise),
+          random_(seed) {}
+
+    /// Adds the return, if there is one. The beam leaves off its direction by the noise of the
+    /// angles; its point is put where the beam should have gone.
+    void fire(double azimuth, double elevation, uint32_t sourceIndex, SimulatedScan& result) {
+        const double trueAzimuth = azimuth + random_.next(noise_.angle);
+        const double trueElevation = elevation + random_.next(noise_.angle);
+        const double rangeError = random_.next(noise_.range);
+
+        const auto direction = sensorInMap_.rotateVector(beam(trueAzimuth, trueElevation));
+        const auto hit = world_.castRay(sensorInMap_.translation(), direction, scanner_.maxRange);
+        if (!hit || hit->range + rangeError <= 0) return;
+
+        const TPoint3D point = beam(azimuth, elevation) * (hit->range + rangeError);
+        result.scan.points.push_back(point.cast<float>());
+        result.scan.sourceIndex.push_back(sourceIndex);
+        const Surface& surface = world_.surfaces()[hit->surface];
+        result.truth.push_back({hit->surface, surface.kind, surface.mapped()});
+    }
+
+ private:
+    const World& world_;
+    const Scanner& scanner_;
+    const mrpt::poses::CPose3D& sensorInMap_;
+    const ScannerNoise& noise_;
+    GaussianNoise random_;
+};
+
+mrpt::Clock::time_point timeOf(const Scanner& scanner, size_t column) {
+    const double share = static_cast<double>(column) / static_cast<double>(scanner.azimuths.size());
+    const std::chrono::duration<double> sinceStart(share * scanner.turnDuration);
+    return mrpt::Clock::time_point{} +
+           std::chrono::duration_cast<mrpt::Clock::duration>(sinceStart);
+}
+
+}  // namespace
+
+SimulatedScan simulate(const World& world, const Scanner& scanner, const core::SensorPose& sensor,
+                       const ScannerNoise& noise, uint64_t seed) {
+    if (!(noise.range >= 0 && noise.angle >= 0)) {
+        throw std::invalid_argument("the standard deviations of the noise must be >= 0");
+    }
+    Beams beams(world, scanner, sensor.sensorInMap, noise, seed);
+    SimulatedScan result;
+    uint32_t beamIndex = 0;
+    for (size_t c = 0; c < scanner.azimuths.size(); ++c) {
+        core::ScanColumn column;
+        column.begin = static_cast<uint32_t>(result.scan.points.size());
+        for (const double elevation : scanner.elevations) {
+            beams.fire(scanner.azimuths[c], elevation, beamIndex++, result);
+        }
+        column.end = static_cast<uint32_t>(result.scan.points.size());
+        column.azimuth = static_cast<float>(scanner.azimuths[c]);
+        column.time = timeOf(scanner, c);
+        result.scan.columns.push_back(std::move(column));
+    }
+    setSensor(result.scan, sensor);
+    return result;
+}
+
+void setSensor(core::OrganizedScan& scan, const core::SensorPose& sensor) {
+    for (core::ScanColumn& column : scan.columns) column.sensor = sensor;
+}
+
+core::SensorPose drawEstimate(const core::SensorPose& truth, GaussianNoise& noise) {
+    // A square root by eigenvalues, since a covariance of rank < 3 has no Cholesky factor.
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(truth.groundCovariance);
+    Eigen::Vector3d independent;
+    for (double& x : independent) x = noise.next();
+    const Eigen::Vector3d error =
+        solver.eigenvectors() *
+        solver.eigenvalues().cwiseMax(0).cwiseSqrt().cwiseProduct(independent);
+
+    core::SensorPose estimate = truth;
+    estimate.sensorInMap = mrpt::poses::CPose3D(0, 0, 0, error[2], 0, 0) + truth.sensorInMap;
+    estimate.sensorInMap.x(truth.sensorInMap.x() + error[0]);
+    estimate.sensorInMap.y(truth.sensorInMap.y() + error[1]);
+    return estimate;
+}
+
+}  // namespace offmap::evaluation

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/evaluation/World.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace offmap::evaluation {
+
+namespace {
+
+void requireExtent(bool hasExtent, const char* shape) {
+    if (!hasExtent) throw std::invalid_argument(std::string(shape) + " without extent");
+}
+
+}  // namespace
+
+uint32_t World::add(Surface surface) {
+    surfaces_.push_back(std::move(surface));
+    return static_cast<uint32_t>(surfaces_.size() - 1);
+}
+
+uint32_t World::addToMap(const core::Wall& wall) {
+    map_.push_back(wall);
+    return static_cast<uint32_t>(map_.size() - 1);
+}
+
+uint32_t World::addPanel(const Panel& panel, std::optional<uint32_t> wallInMap) {
+    requireExtent(panel.line.length() > 0 && panel.height.width() > 0, "panel");
+    if (wallInMap && *wallInMap >= map_.size()) {
+        throw std::invalid_argument("panel of a wall that is not in the map");
+    }
+    return add({SurfaceKind::Wall, wallInMap, panel});
+}
+
+uint32_t World::addObject(const Panel& panel) {
+    requireExtent(panel.line.length() > 0 && panel.height.width() > 0, "panel");
+    return add({SurfaceKind::Object, std::nullopt, panel});
+}
+
+uint32_t World::addObject(const Cylinder& cylinder) {
+    requireExtent(cylinder.radius > 0 && cylinder.height.width() > 0, "cylinder");
+    return add({SurfaceKind::Object, std::nullopt, cylinder});
+}
+
+uint32_t World::addObject(const Box& box) {
+    requireExtent(box.length > 0 && box.width > 0 && box.height.width() > 0, "box");
+    return add({SurfaceKind::Object, std::nullopt, box});
+}
+
+uint32_t World::addFloor(double z) { return add({SurfaceKind::Floor, std::nullopt, Plane{z}}); }
+
+uint32_t World::addCeiling(double z) { return add({SurfaceKind::Ceiling, std::nullopt, Plane{z}}); }
+
+std::optional<WorldHit> World::castRay(const mrpt::math::TPoint3D& origin,
+                                       const mrpt::math::TVector3D& direction,
+                                       double maxRange) const {
+    const Ray ray{origin, direction};
+    std::optional<WorldHit> nearest;
+    for (uint32_t id = 0; id < surfaces_.size(); ++id) {
+        const std::optional<double> range =
+            std::visit([&ray](const auto& shape) { return meet(ray, shape); }, surfaces_[id].shape);
+        if (range && *range <= maxRange && (!nearest || *range < nearest->range)) {
+            nearest = WorldHit{*range, id};
+        }
+    }
+    return nearest;
+}
+
+}  // namespace offmap::evaluation
