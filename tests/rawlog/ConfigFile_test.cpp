@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../support/TemporaryFolder.h"
+
 #include <offmap/rawlog/ConfigFile.h>
 #include <offmap/rawlog/ParameterTable.h>
 
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -22,19 +23,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A file of the test's own, gone with it.
-class TemporaryFile {
- public:
-    explicit TemporaryFile(const std::string& text)
-        : path(std::filesystem::path(testing::TempDir()) /
-               (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-                ".yaml")) {
-        std::ofstream(path) << text;
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() { std::filesystem::remove(path); }
+struct TemporaryFile {
+    explicit TemporaryFile(const std::string& text) { test::writeFile(path, text); }
 
-    const std::filesystem::path path;
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder / "some.yaml";
 };
 
 std::string errorOf(const std::function<void()>& call) {
@@ -162,7 +155,8 @@ TEST(ApplyYaml, otherThanOneMapIsRefused) {
 }
 
 TEST(ApplyYaml, syntaxErrorNamesItsLine) {
-    EXPECT_THAT(errorOfText("map:\n  sigma_m: 0.1\n bad: 2\n"), HasSubstr(".yaml:3:"));
+    EXPECT_THAT(errorOfText("map:\n  sigma_m: 0.1\n bad: 2\n"),
+                AllOf(HasSubstr(".yaml:3:"), HasSubstr("no valid YAML")));
     EXPECT_THAT(errorOfText("map: {sigma_m: 0.1\n"), HasSubstr(".yaml:"));
     EXPECT_THAT(errorOfText("map:\n\tsigma_m: 0.1\n"), HasSubstr(".yaml:2:"));
     EXPECT_THAT(errorOfText("map: 'open\n"), HasSubstr(".yaml:"));

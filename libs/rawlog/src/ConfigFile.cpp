@@ -121,9 +121,12 @@ std::vector<std::string_view> applyYaml(Config& config, const std::filesystem::p
         changed.validate();
         config = changed;
         return keysSet;
+    } catch (const YAML::ParserException& e) {
+        throw std::runtime_error(
+            fmt::format("{}:{}: no valid YAML ({}); mind indentation and brackets", file.string(),
+                        e.mark.line + 1, e.msg));
     } catch (const YAML::Exception& e) {
-        const std::string line = e.mark.is_null() ? "" : fmt::format(":{}", e.mark.line + 1);
-        throw std::runtime_error(fmt::format("{}{}: {}", file.string(), line, e.msg));
+        throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
     } catch (const std::invalid_argument& e) {
         throw std::runtime_error(fmt::format("{}: {}", file.string(), e.what()));
     }
