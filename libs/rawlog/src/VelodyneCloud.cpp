@@ -14,8 +14,11 @@ namespace {
 
 using Scan = mrpt::obs::CObservationVelodyneScan;
 
-/// [m] MRPT rounds azimuths to 1/100 degree: half of that is 1.1 cm at the greatest range, 130 m.
-constexpr float maxDistance = 0.02F;
+/// [m] How far a stored point may be from its return: 1 cm, and what MRPT's decoder makes of the
+/// azimuth, up to 0.015 degrees. Neighbouring returns of a laser are 0.2 degrees apart.
+float maxDistance(float x, float y, float z) {
+    return 0.01F + 3e-4F * std::sqrt(x * x + y * y + z * z);
+}
 
 constexpr uint64_t gone = std::numeric_limits<uint64_t>::max();
 
@@ -32,7 +35,7 @@ class ReturnFinder {
         if (returns_.points.empty()) return {};
         float squared = 0;
         const size_t nearest = tree_.kdTreeClosestPoint3D(x, y, z, squared);
-        if (squared > maxDistance * maxDistance) return {};
+        if (std::sqrt(squared) > maxDistance(x, y, z)) return {};
         return returns_.slots[nearest];
     }
 

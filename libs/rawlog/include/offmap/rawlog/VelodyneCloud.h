@@ -8,8 +8,8 @@
 namespace offmap::rawlog {
 
 /// Filters the point cloud that a Velodyne scan may store beside its packets. Each of its points
-/// belongs to the return nearest to it, within 2 cm, and stays if that return stays. All vectors of
-/// the cloud stay consistent. \param obs still holds all returns in its packets
+/// belongs to the return nearest to it, within 2 cm at 30 m, and stays if that return stays. All
+/// vectors of the cloud stay consistent. \param obs still holds all returns in its packets
 void filterStoredCloud(mrpt::obs::CObservationVelodyneScan& obs, SlotMask keep,
                        Leftovers leftovers);
 
