@@ -73,9 +73,9 @@ std::string skippedText(const ReductionTotals& totals) {
     const auto add = [&](uint64_t count, const char* what) {
         if (count > 0) parts.push_back(fmt::format("{} {}", grouped(count), what));
     };
-    add(totals.counts.nonFinite, "not finite");
-    add(totals.counts.duplicates, "duplicate");
-    return parts.empty() ? "" : fmt::format("   (kept unseen: {})", fmt::join(parts, ", "));
+    add(totals.counts.nonFinite, "not finite, kept");
+    add(totals.counts.duplicates, "repeat another");
+    return parts.empty() ? "" : fmt::format("   ({})", fmt::join(parts, ", "));
 }
 
 }  // namespace

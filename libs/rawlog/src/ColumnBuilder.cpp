@@ -70,6 +70,7 @@ void appendColumn(TurnScan& out, core::ScanColumn column,
     for (const ColumnReturn& r : returns) {
         if (out.scan.points.size() > column.begin && out.scan.points.back() == r.point) {
             ++out.counts.duplicates;
+            out.duplicates.push_back({r.slot, static_cast<uint32_t>(out.scan.points.size() - 1)});
             continue;
         }
         out.scan.points.push_back(r.point);

@@ -74,15 +74,9 @@ void LogReduction::addObservation(PendingEntry& entry, const CObservation::Ptr& 
     if (!loadIfExternal(member)) return;
     ++entry.unresolved;
     const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(obs.get());
-    if (!scan) {
-        std::vector<Member> members{member};
-        reduceTurn(members);
-        return;
-    }
-    OpenTurn& turn =
-        open_.try_emplace(obs->sensorLabel, OpenTurn{SweepTurns(config_.sensor), {}}).first->second;
-    if (turn.turns.startsNewTurn(*scan)) reduceTurn(turn.members);
-    turn.members.push_back(member);
+    if (!scan) return reduceTurn({member});
+    auto& turn = open_.try_emplace(obs->sensorLabel, config_.sensor).first->second;
+    reduceTurns(turn.add(*scan, member));
 }
 
 /// False if it is to be copied as it is, because its file cannot be loaded.
@@ -103,18 +97,19 @@ bool LogReduction::loadIfExternal(Member& member) const {
 void LogReduction::endOverdueTurns(mrpt::Clock::time_point now) {
     const std::chrono::duration<double> longest(config_.sensor.maxColumnPause);
     for (auto& [label, turn] : open_) {
-        if (!turn.members.empty() && now - turn.members.back().obs->timestamp > longest) {
-            reduceTurn(turn.members);
-            turn.turns.reset();
-        }
+        if (!turn.empty() && now - turn.latest().obs->timestamp > longest)
+            reduceTurns(turn.finish());
     }
 }
 
-void LogReduction::reduceTurn(std::vector<Member>& members) {
-    if (members.empty()) return;
+void LogReduction::reduceTurns(const std::vector<std::vector<Member>>& turns) {
+    for (const std::vector<Member>& members : turns) reduceTurn(members);
+}
+
+void LogReduction::reduceTurn(const std::vector<Member>& members) {
     const ScanClass& scanClass = *scanClassOf(*members.front().obs);
     Turn turn;
-    for (Member& member : members) turn.push_back(member.obs);
+    for (const Member& member : members) turn.push_back(member.obs);
     ReducedTurn reduced = reducer_.reduce(turn, scanClass);
     std::vector<CObservation::Ptr> removed(members.size());
     if (removed_) removed = reducer_.removedFrom(turn, reduced, scanClass);
@@ -125,7 +120,6 @@ void LogReduction::reduceTurn(std::vector<Member>& members) {
         --entry.unresolved;
     }
     reduced.record.entry = members.front().entry->index;
-    members.clear();
     onTurn(reduced.record);
 }
 
@@ -151,7 +145,7 @@ void LogReduction::write(const PendingEntry& entry) {
 }
 
 void LogReduction::finish() {
-    for (auto& [label, turn] : open_) reduceTurn(turn.members);
+    for (auto& [label, turn] : open_) reduceTurns(turn.finish());
     writeReady();
 }
 

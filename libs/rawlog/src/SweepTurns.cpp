@@ -24,11 +24,14 @@ constexpr uint32_t mostColumns = 100'000;
 }  // namespace
 
 bool SweepTurns::startsNewTurn(const CObservation2DRangeScan& scan) {
+    wrapped_ = false;
     if (state_) {
         const uint32_t columnsBefore = state_->columns;
         const auto timeBefore = state_->time;
         advance(scan);
-        if (!ended(scan, columnsBefore, timeBefore)) return false;
+        const bool endedOtherwise = ended(scan, columnsBefore, timeBefore);
+        wrapped_ = !endedOtherwise && goneRound();
+        if (!wrapped_ && !endedOtherwise) return false;
     }
     const FanAxis axis = chooseFanAxis(scan);
     state_ = State{.axis = axis, .azimuth = fanAzimuth(scan, axis), .time = scan.timestamp};
@@ -45,6 +48,11 @@ void SweepTurns::advance(const CObservation2DRangeScan& scan) {
     ++state_->columns;
 }
 
+bool SweepTurns::goneRound() const {
+    return std::abs(state_->swept) >= 2.0 * std::numbers::pi - wrapTolerance;
+}
+
+/// For another reason than the azimuth's wrap.
 bool SweepTurns::ended(const CObservation2DRangeScan& scan, uint32_t columnsBefore,
                        mrpt::Clock::time_point timeBefore) const {
     const uint32_t limit = config_.columnsPerTurn > 0 ? config_.columnsPerTurn : mostColumns;
@@ -52,8 +60,6 @@ bool SweepTurns::ended(const CObservation2DRangeScan& scan, uint32_t columnsBefo
 
     const double pause = std::chrono::duration<double>(scan.timestamp - timeBefore).count();
     if (std::abs(pause) > config_.maxColumnPause) return true;
-
-    if (std::abs(state_->swept) >= 2.0 * std::numbers::pi - wrapTolerance) return true;
 
     const bool counterClockwise = state_->maxSwept >= -state_->minSwept;
     const double turnedBack =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 namespace offmap::rawlog {
 
@@ -10,38 +11,58 @@ using mrpt::obs::CObservation;
 
 namespace {
 
+/// Returns on each segment: its points, and those that repeat them.
+std::vector<uint64_t> returnsOnSegments(const TurnScan& turn, const core::ReductionResult& result) {
+    std::vector<uint64_t> returns;
+    for (const auto& segment : result.segments) returns.push_back(segment.end - segment.begin);
+    if (turn.duplicates.empty()) return returns;
+    std::vector<uint32_t> copies(turn.scan.points.size(), 0);
+    for (const DuplicateReturn& duplicate : turn.duplicates) ++copies[duplicate.point];
+    for (size_t s = 0; s < returns.size(); ++s) {
+        const core::VerticalSegment& segment = result.segments[s];
+        returns[s] += std::accumulate(copies.begin() + segment.begin, copies.begin() + segment.end,
+                                      uint64_t{0});
+    }
+    return returns;
+}
+
 /// Fills in what the result says; the rest of the record is known before.
-void record(const core::OrganizedScan& scan, const core::ReductionResult& result, TurnRecord& out) {
-    for (const core::ScanColumn& column : scan.columns) out.columns += column.begin != column.end;
+void record(const TurnScan& turn, const core::ReductionResult& result, TurnRecord& out) {
+    for (const core::ScanColumn& column : turn.scan.columns) {
+        out.columns += column.begin != column.end;
+    }
     out.columnsWithoutPose = result.columnsWithoutPose;
     if (result.notReduced) out.notReduced = core::toString(*result.notReduced);
-    for (size_t s = 0; s < result.segments.size(); ++s) {
-        const uint64_t points = result.segments[s].end - result.segments[s].begin;
-        out.onVerticalSegments += points;
+    const std::vector<uint64_t> returns = returnsOnSegments(turn, result);
+    for (size_t s = 0; s < returns.size(); ++s) {
+        out.onVerticalSegments += returns[s];
         switch (result.matches[s].verdict) {
             case core::Verdict::MappedByRay:
-                out.removedByRay += points;
+                out.removedByRay += returns[s];
                 break;
             case core::Verdict::MappedByExtension:
-                out.removedByExtension += points;
+                out.removedByExtension += returns[s];
                 break;
             case core::Verdict::RemovedAsOrphan:
-                out.removedAsOrphans += points;
+                out.removedAsOrphans += returns[s];
                 break;
             case core::Verdict::Kept:
-                out.keptByReason[static_cast<size_t>(result.matches[s].reason)] += points;
+                out.keptByReason[static_cast<size_t>(result.matches[s].reason)] += returns[s];
                 break;
         }
     }
 }
 
-std::vector<uint8_t> removedSlots(const core::OrganizedScan& scan,
-                                  const core::ReductionResult& result, size_t slots) {
+std::vector<uint8_t> removedSlots(const TurnScan& turn, const core::ReductionResult& result,
+                                  size_t slots) {
     std::vector<uint8_t> removed(slots, 0);
     for (size_t i = 0; i < result.labels.size(); ++i) {
         const core::PointLabel label = result.labels[i];
-        removed[scan.sourceIndex[i]] =
+        removed[turn.scan.sourceIndex[i]] =
             label == core::PointLabel::Mapped || label == core::PointLabel::Orphan;
+    }
+    for (const DuplicateReturn& duplicate : turn.duplicates) {
+        removed[duplicate.slot] = removed[turn.scan.sourceIndex[duplicate.point]];
     }
     return removed;
 }
@@ -67,7 +88,7 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     for (const auto& obs : turn) slots += scanClass.slotCount(*obs);
     out.organized = scanClass.organize(turn, poses_, sensor_);
     result_ = &reducer_.reduce(out.organized.scan);
-    out.removedSlots = removedSlots(out.organized.scan, *result_, slots);
+    out.removedSlots = removedSlots(out.organized, *result_, slots);
 
     std::vector<uint8_t> keep(out.removedSlots);
     for (uint8_t& slot : keep) slot = !slot;
@@ -85,7 +106,7 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     out.record.time = turn.front()->timestamp;
     out.record.label = turn.front()->sensorLabel;
     out.record.className = turn.front()->GetRuntimeClass()->className;
-    record(out.organized.scan, *result_, out.record);
+    record(out.organized, *result_, out.record);
     return out;
 }
 

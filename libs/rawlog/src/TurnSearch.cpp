@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/PointCloudScan.h>
-#include <offmap/rawlog/SweepTurns.h>
+#include <offmap/rawlog/TurnCollector.h>
 #include <offmap/rawlog/TurnSearch.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -16,11 +16,18 @@ using mrpt::obs::CObservation;
 
 namespace {
 
-struct OpenTurn {
-    SweepTurns turns;
-    Turn columns;
-    uint64_t lastEntry = 0;
+struct Column {
+    CObservation::ConstPtr scan;
+    uint64_t entry;
 };
+
+/// The turn, if it reaches to the entry.
+std::optional<Turn> reaching(const std::vector<Column>& columns, uint64_t entry) {
+    if (columns.back().entry < entry) return std::nullopt;
+    Turn turn;
+    for (const Column& column : columns) turn.push_back(column.scan);
+    return turn;
+}
 
 }  // namespace
 
@@ -28,26 +35,23 @@ std::optional<Turn> findTurn(RawlogReader& reader, const LogSurvey& survey,
                              const SensorConfig& config, uint64_t entry,
                              const std::filesystem::path& input,
                              const std::function<void()>& onEntry) {
-    std::map<std::string, OpenTurn> open;
+    std::map<std::string, TurnCollector<Column>> open;  // by label
     std::optional<Turn> found;
+    const auto take = [&](const std::vector<std::vector<Column>>& turns) {
+        for (const auto& columns : turns) {
+            if (!found) found = reaching(columns, entry);
+        }
+    };
     const auto look = [&](const CObservation::Ptr& obs, uint64_t index) {
         if (found || !survey.reducible(*obs)) return;
         const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(obs.get());
-        if (!scan) {
-            if (index < entry) return;
+        if (scan) {
+            take(open.try_emplace(obs->sensorLabel, config).first->second.add(*scan, {obs, index}));
+        } else if (index >= entry) {
             auto* cloud = dynamic_cast<mrpt::obs::CObservationPointCloud*>(obs.get());
             if (cloud) loadExternal(*cloud, input);
             found = Turn{obs};
-            return;
         }
-        OpenTurn& turn =
-            open.try_emplace(obs->sensorLabel, OpenTurn{SweepTurns(config), {}, 0}).first->second;
-        if (turn.turns.startsNewTurn(*scan)) {
-            if (!turn.columns.empty() && turn.lastEntry >= entry) found = std::move(turn.columns);
-            turn.columns.clear();
-        }
-        turn.columns.push_back(obs);
-        turn.lastEntry = index;
     };
     for (uint64_t index = 0; index < survey.entries && !found; ++index) {
         onEntry();
@@ -56,10 +60,7 @@ std::optional<Turn> findTurn(RawlogReader& reader, const LogSurvey& survey,
         forEachObservation(next->object,
                            [&](const CObservation::Ptr& obs, size_t) { look(obs, index); });
     }
-    for (auto& [label, turn] : open) {
-        if (!found && !turn.columns.empty() && turn.lastEntry >= entry)
-            found = std::move(turn.columns);
-    }
+    for (auto& [label, turn] : open) take(turn.finish());
     return found;
 }
 

@@ -4,7 +4,7 @@
 #include <offmap/rawlog/LogSurvey.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/RawlogWriter.h>
-#include <offmap/rawlog/SweepTurns.h>
+#include <offmap/rawlog/TurnCollector.h>
 #include <offmap/rawlog/TurnReducer.h>
 
 #include <mrpt/core/Clock.h>
@@ -68,16 +68,12 @@ class LogReduction {
         mrpt::obs::CObservation::Ptr obs;
         bool loaded;  // from a file of its own: to be written even if nothing is removed
     };
-    struct OpenTurn {
-        SweepTurns turns;
-        std::vector<Member> members;
-    };
-
     bool loadIfExternal(Member& member) const;
     void addObservation(PendingEntry& entry, const mrpt::obs::CObservation::Ptr& obs,
                         size_t position);
     void endOverdueTurns(mrpt::Clock::time_point now);
-    void reduceTurn(std::vector<Member>& members);
+    void reduceTurns(const std::vector<std::vector<Member>>& turns);
+    void reduceTurn(const std::vector<Member>& members);
     void writeReady();
     void write(const PendingEntry& entry);
 
@@ -88,7 +84,7 @@ class LogReduction {
     RawlogWriter& reduced_;
     RawlogWriter* removed_;
     std::deque<PendingEntry> pending_;
-    std::map<std::string, OpenTurn> open_;
+    std::map<std::string, TurnCollector<Member>> open_;  // by label
 };
 
 }  // namespace offmap::rawlog

@@ -16,7 +16,7 @@ namespace offmap::rawlog {
 /// The observations of one turn: one, or the columns of a turned 2D scanner.
 using Turn = std::vector<mrpt::obs::CObservation::ConstPtr>;
 
-/// What a turn's slots hold. Slots that are skipped are never removed.
+/// What a turn's slots hold. What is not finite or no return is never removed.
 struct ReturnCounts {
     uint64_t returns = 0;     ///< finite and not zero
     uint64_t nonFinite = 0;   ///< NaN or infinity
@@ -24,8 +24,16 @@ struct ReturnCounts {
     uint64_t duplicates = 0;  ///< of `returns`: repeat another return of the column exactly
 };
 
+/// A return that repeats another one of its column exactly. It is left out of the scan and shares
+/// the fate of the point that stands for it.
+struct DuplicateReturn {
+    uint32_t slot;   ///< of the turn
+    uint32_t point;  ///< of the scan
+};
+
 struct TurnScan {
     core::OrganizedScan scan;  ///< sourceIndex counts the slots of the whole turn
+    std::vector<DuplicateReturn> duplicates;
     ReturnCounts counts;
 };
 

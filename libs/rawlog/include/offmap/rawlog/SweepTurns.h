@@ -26,6 +26,9 @@ class SweepTurns {
     /// the scan; each one has to be given once, in the order of the log.
     bool startsNewTurn(const mrpt::obs::CObservation2DRangeScan& scan);
 
+    /// Whether the latest turn began because the azimuth had gone round, not for any other reason.
+    bool wrapped() const { return wrapped_; }
+
     /// As if no scan had been seen.
     void reset() { state_.reset(); }
 
@@ -43,8 +46,11 @@ class SweepTurns {
     bool ended(const mrpt::obs::CObservation2DRangeScan& scan, uint32_t columnsBefore,
                mrpt::Clock::time_point timeBefore) const;
 
+    bool goneRound() const;
+
     SensorConfig config_;
     std::optional<State> state_;
+    bool wrapped_ = false;
 };
 
 /// Tells from all scans of a label whether it is a sweep.
