@@ -53,6 +53,10 @@ Viewpoint viewpointOf(const SensorPose& sensor) {
 }
 
 std::optional<PoseFault> faultOf(const Viewpoint& viewpoint, const MatchingConfig& config) {
+    for (const double x : {viewpoint.position.x, viewpoint.position.y, viewpoint.height,
+                           viewpoint.ellipse.semiMajor(), viewpoint.sigmaHeading}) {
+        if (!std::isfinite(x)) return PoseFault::NotFinite;
+    }
     if (config.sigmaFactor * viewpoint.ellipse.semiMajor() > config.maxPositionRadius ||
         config.sigmaFactor * viewpoint.sigmaHeading > config.maxHeadingError) {
         return PoseFault::TooUncertain;

@@ -23,7 +23,7 @@ struct Viewpoint {
 
 Viewpoint viewpointOf(const SensorPose& sensor);
 
-/// Why a pose is too uncertain to match anything with, if it is.
+/// Why nothing can be matched with a pose, if so: it is not finite, or too uncertain.
 std::optional<PoseFault> faultOf(const Viewpoint& viewpoint, const MatchingConfig& config);
 
 /// Matches one segment to the map by a ray through its centre (eqs. 1, 6, 7, corrected).
