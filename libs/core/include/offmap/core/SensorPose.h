@@ -32,7 +32,7 @@ std::string_view toString(PoseFault fault);
 
 /// Composes a vehicle pose with the mounting of the sensor. The yaw variance reaches the sensor's
 /// position through its lever arm. Worked out in the map plane: composing Euler-angle PDFs through
-/// a mount that is rolled by 90 degrees inflates the yaw variance many times over.
+/// a mount that is pitched by nearly 90 degrees inflates the yaw variance many times over.
 SensorPose composeOnGround(const mrpt::poses::CPose3D& vehicleInMap,
                            const Eigen::Matrix3d& vehicleGroundCovariance,
                            const mrpt::poses::CPose3D& sensorInVehicle);
