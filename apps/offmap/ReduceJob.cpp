@@ -29,7 +29,7 @@ using SteadyClock = std::chrono::steady_clock;
 /// The outputs of one reduction, all of which are complete before the first one appears.
 struct Outputs {
     Outputs(const ReduceOptions& options, rawlog::GuardedStatus& status) {
-        rawlog::OutputOptions rawlogOptions{1, options.force, &status};
+        rawlog::OutputOptions rawlogOptions{6, options.force, &status};
         reduced.emplace(options.output, rawlogOptions);
         if (!options.removed.empty()) removed.emplace(options.removed, rawlogOptions);
         if (!options.report.empty()) {
