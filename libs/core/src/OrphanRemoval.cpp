@@ -5,9 +5,15 @@ namespace offmap::core {
 
 namespace {
 
-/// Kept by the matching; an orphan that was removed before still counts, so that order does not
-/// matter.
-bool leftByMatching(const SegmentMatch& match) { return !match.mapped(); }
+/// Whether one segment is company for another: kept by the matching and near. An orphan that was
+/// removed before still counts, so that order does not matter; so does a segment whose column has
+/// no pose, as where it stands is not known.
+bool isCompany(uint32_t other, uint32_t s, const SegmentsByColumn& byColumn,
+               const OrphanConfig& config, std::span<const SegmentMatch> matches) {
+    if (other == s || matches[other].mapped()) return false;
+    if (matches[other].reason == KeepReason::NoPose) return true;
+    return (byColumn.centreInMap(other) - byColumn.centreInMap(s)).norm() <= config.maxDistance;
+}
 
 }  // namespace
 
@@ -17,11 +23,7 @@ void removeOrphans(const ColumnRing& ring, std::span<const VerticalSegment> segm
     const auto hasCompanyIn = [&](uint32_t s, uint32_t column) {
         const auto [begin, end] = byColumn.of(column);
         for (uint32_t other = begin; other < end; ++other) {
-            if (other != s && leftByMatching(matches[other]) &&
-                (byColumn.centreInMap(other) - byColumn.centreInMap(s)).norm() <=
-                    config.maxDistance) {
-                return true;
-            }
+            if (isCompany(other, s, byColumn, config, matches)) return true;
         }
         return false;
     };

@@ -12,8 +12,7 @@ namespace offmap::core {
 
 /// Removes kept segments without a kept neighbour, as mixed pixels leave them behind (section 3.4).
 /// A thin or distant object may be no wider than one column, which is why nothing calls this unless
-/// asked to. \param centreInMap [m] per segment \param firstSegment per column, and one more: index
-/// into segments
+/// asked to.
 void removeOrphans(const ColumnRing& ring, std::span<const VerticalSegment> segments,
                    const SegmentsByColumn& byColumn, const OrphanConfig& config,
                    std::span<SegmentMatch> matches);
