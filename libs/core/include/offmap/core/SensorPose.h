@@ -27,7 +27,7 @@ enum class PoseFault : uint8_t {
     OffMap,        ///< no wall within range of the sensor
 };
 
-/// Stable snake_case name, as in reports: "no_pose", "too_old", ...
+/// Stable snake_case name, as in reports: "no_pose", "pose_too_old", ...
 std::string_view toString(PoseFault fault);
 
 /// Composes a vehicle pose with the mounting of the sensor. The yaw variance reaches the sensor's
