@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/ReductionTotals.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace offmap::rawlog {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TurnRecord turnOf(uint64_t points, uint64_t onSegments, uint64_t removed) {
+    TurnRecord turn;
+    turn.counts.returns = points;
+    turn.onVerticalSegments = onSegments;
+    turn.removedByRay = removed;
+    turn.keptByReason[static_cast<size_t>(core::KeepReason::BehindWall)] = onSegments - removed;
+    turn.columns = 10;
+    turn.milliseconds = 1;
+    return turn;
+}
+
+TEST(DurationHistogram, quantilesAreWithinHalfABin) {
+    DurationHistogram histogram;
+    for (int i = 1; i <= 1001; ++i) histogram.add(0.01 * i);
+    // Bins are 1 % wide, their middle stands for them.
+    EXPECT_NEAR(histogram.quantile(0.5).value(), 5.01, 0.005 * 5.01 + 1e-9);
+    EXPECT_NEAR(histogram.quantile(0.95).value(), 9.51, 0.005 * 9.51 + 1e-9);
+    EXPECT_NEAR(histogram.quantile(0).value(), 0.01, 0.005 * 0.01 + 1e-9);
+    EXPECT_NEAR(histogram.quantile(1).value(), 10.01, 0.005 * 10.01 + 1e-9);
+}
+
+TEST(DurationHistogram, takesWhateverAClockSays) {
+    DurationHistogram histogram;
+    EXPECT_EQ(histogram.quantile(0.5), std::nullopt);
+    histogram.add(0);
+    EXPECT_LE(histogram.quantile(0.5).value(), 1.01e-4);
+    for (int i = 0; i < 9; ++i) histogram.add(1e12);
+    EXPECT_GT(histogram.quantile(0.5).value(), 1e6);
+}
+
+TEST(ReductionTotals, addUp) {
+    ReductionTotals totals;
+    TurnRecord early = turnOf(100, 50, 40), late = turnOf(10, 5, 0);
+    early.time = mrpt::Clock::fromDouble(100);
+    late.time = mrpt::Clock::fromDouble(103.5);
+    late.notReduced = "pose_too_old";
+    late.columnsWithoutPose = 10;
+    totals.add(late);
+    totals.add(early);
+    EXPECT_EQ(totals.scans, 2U);
+    EXPECT_EQ(totals.counts.returns, 110U);
+    EXPECT_EQ(totals.onVerticalSegments, 55U);
+    EXPECT_EQ(totals.removed(), 40U);
+    EXPECT_EQ(totals.keptByReason[static_cast<size_t>(core::KeepReason::BehindWall)], 15U);
+    EXPECT_EQ(totals.scansNotReduced(), 1U);
+    EXPECT_EQ(totals.columnsWithoutPose, 10U);
+    EXPECT_NEAR(totals.logSeconds(), 3.5, 1e-6);  // the clock counts 100 ns
+}
+
+TEST(ReductionTotals, goodResultGivesNoWarning) {
+    ReductionTotals totals;
+    totals.add(turnOf(100, 50, 15));  // just 30 %
+    EXPECT_THAT(totals.warnings(), IsEmpty());
+}
+
+TEST(ReductionTotals, warnsOfWhatSmells) {
+    const auto warningOf = [](const TurnRecord& turn) {
+        ReductionTotals totals;
+        totals.add(turn);
+        return totals.warnings();
+    };
+    EXPECT_THAT(warningOf(turnOf(100, 50, 14)), ElementsAre(HasSubstr("only 28.0 %")));
+    EXPECT_THAT(warningOf(turnOf(100, 50, 0)), ElementsAre(HasSubstr("nothing was removed")));
+    EXPECT_THAT(warningOf(turnOf(100, 0, 0)), ElementsAre(HasSubstr("no vertical segment")));
+
+    TurnRecord offMap = turnOf(100, 50, 0);
+    offMap.notReduced = "no_wall_in_range";
+    EXPECT_THAT(warningOf(offMap),
+                ElementsAre(HasSubstr("--map-origin"), HasSubstr("no scan could")));
+
+    ReductionTotals unsupported;
+    unsupported.notSupported["HDL-64"] = 3;
+    EXPECT_THAT(unsupported.warnings(), ElementsAre(HasSubstr("3 observations")));
+}
+
+}  // namespace
+}  // namespace offmap::rawlog
