@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 // Present in builds that measure coverage, where _exit() would lose the child's counts.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): GCC's own
 extern "C" void __gcov_dump() __attribute__((weak));
 
 namespace offmap::rawlog {

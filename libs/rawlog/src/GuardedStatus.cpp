@@ -18,8 +18,8 @@ void GuardedStatus::atEntry(const EntryPlace& place) {
 void GuardedStatus::beginPublishing() {
     int expected = GuardedMemory::Working;
     if (memory_.phase.compare_exchange_strong(expected, GuardedMemory::Publishing)) return;
-    while (expected == GuardedMemory::Stopped)
-        pause();  // the watcher is about to kill this program
+    if (expected == GuardedMemory::Publishing) return;
+    for (;;) pause();  // the watcher is about to kill this program
 }
 
 void GuardedStatus::add(const std::filesystem::path& file) {
