@@ -41,17 +41,17 @@ void Reducer::Workspace::findViewpoints(const OrganizedScan& scan, const LineMap
             const Viewpoint viewpoint = viewpointOf(*column.sensor);
             fault = faultOf(viewpoint, config);
             if (!fault) viewpoints[c] = viewpoint;
-            // The map is asked once, where the turn begins: it moves little in a turn, walls reach
-            // far.
-            if (!fault && !anyUsable)
+            // One column with walls around it is enough; mostly, the first has.
+            if (!fault && offMap) {
                 offMap = !map.hasWallWithin(viewpoint.position, config.maxRange);
+            }
         }
         if (fault) ++result.columnsWithoutPose;
         if (fault && !firstFault) firstFault = fault;
         anyUsable = anyUsable || !fault;
     }
     result.notReduced.reset();
-    if (!anyUsable) result.notReduced = firstFault.value_or(PoseFault::NoPose);
+    if (!anyUsable) result.notReduced = firstFault;  // none in a scan without points
     if (anyUsable && offMap) result.notReduced = PoseFault::OffMap;
 }
 
