@@ -15,8 +15,16 @@ constexpr double wallAt = 2;  // [m] y of a wall along x
 constexpr auto ray = Verdict::MappedByRay, extension = Verdict::MappedByExtension,
                kept = Verdict::Kept;
 
+ReductionConfig testConfig() {
+    ReductionConfig config;
+    config.matching.sigmaFactor = 2;
+    config.extension = {
+        .maxPointToLine = 0.05, .minLength = 0.3, .minSegments = 3, .maxColumnGap = 2};
+    return config;
+}
+
 void extendIn(test::SegmentWorld& world, const std::vector<Wall>& walls,
-              const ReductionConfig& config = {}) {
+              const ReductionConfig& config = testConfig()) {
     const LineMap map(walls);
     SegmentsByColumn byColumn;
     byColumn.build(world.segments, world.viewpoints);
@@ -143,7 +151,7 @@ TEST(HorizontalExtension, mapConsentEndsWithTheWall) {
     const std::vector<Wall> wall{{{{-20, wallAt}, {2, wallAt}}, 0.02}};
     for (const bool consent : {true, false}) {
         AlongTheWall world(260, 280);
-        ReductionConfig config;
+        ReductionConfig config = testConfig();
         config.extension.mapConsent = consent;
         extendIn(world, wall, config);
         for (uint32_t c = world.first; c <= world.last; ++c) {

@@ -31,6 +31,7 @@ VerticalSegment segmentAt(const TPoint2D& centre) {
 // A wall at x = 5, certain to 12 cm: together with the position, 13 cm; two sigmas are 26 cm.
 const std::vector<Wall> wallAtFive{{{{5, -3}, {5, 3}}, 0.12}};
 constexpr double twoSigmas = 0.26;
+constexpr MatchingConfig config{.sigmaFactor = 2};
 
 /// Eq. 7 as printed: an end point of the measured interval within the predicted one.
 bool matchesAsPrinted(const Interval& measured, const Interval& predicted) {
@@ -41,7 +42,7 @@ bool matchesAsPrinted(const Interval& measured, const Interval& predicted) {
 
 TEST(MatchByRay, segmentAtTheWallIsMapped) {
     const LineMap map(wallAtFive);
-    const auto match = matchByRay(segmentAt({5.02, 0}), {4.92, 5.12}, viewpoint(), map, {});
+    const auto match = matchByRay(segmentAt({5.02, 0}), {4.92, 5.12}, viewpoint(), map, config);
     EXPECT_EQ(match.verdict, Verdict::MappedByRay);
     EXPECT_EQ(match.reason, KeepReason::None);
     EXPECT_EQ(match.wall, 0u);
@@ -55,7 +56,7 @@ TEST(MatchByRay, segmentAtTheWallIsMapped) {
 
 TEST(MatchByRay, nearerSegmentIsInFrontOfTheWall) {
     const LineMap map(wallAtFive);
-    const auto match = matchByRay(segmentAt({4.6, 0}), {4.5, 4.7}, viewpoint(), map, {});
+    const auto match = matchByRay(segmentAt({4.6, 0}), {4.5, 4.7}, viewpoint(), map, config);
     EXPECT_EQ(match.verdict, Verdict::Kept);
     EXPECT_EQ(match.reason, KeepReason::InFrontOfWall);
     EXPECT_EQ(match.wall, 0u);
@@ -64,7 +65,7 @@ TEST(MatchByRay, nearerSegmentIsInFrontOfTheWall) {
 
 TEST(MatchByRay, furtherSegmentIsBehindTheWall) {
     const LineMap map(wallAtFive);
-    const auto match = matchByRay(segmentAt({5.4, 0}), {5.3, 5.5}, viewpoint(), map, {});
+    const auto match = matchByRay(segmentAt({5.4, 0}), {5.3, 5.5}, viewpoint(), map, config);
     EXPECT_EQ(match.verdict, Verdict::Kept);
     EXPECT_EQ(match.reason, KeepReason::BehindWall);
     EXPECT_GT(match.residual, 0);
@@ -74,15 +75,15 @@ TEST(MatchByRay, endsThatJustTouchMatch) {
     const LineMap map({{{{5, -3}, {5, 3}}, 0}});
     Viewpoint certain = viewpoint();
     certain.ellipse = PositionEllipse();
-    EXPECT_TRUE(matchByRay(segmentAt({4.5, 0}), {4, 5}, certain, map, {}).mapped());
-    EXPECT_TRUE(matchByRay(segmentAt({5.5, 0}), {5, 6}, certain, map, {}).mapped());
-    EXPECT_FALSE(matchByRay(segmentAt({4.5, 0}), {4, 4.999}, certain, map, {}).mapped());
-    EXPECT_EQ(matchByRay(segmentAt({5, 0}), {5, 5}, certain, map, {}).residual, 0);
+    EXPECT_TRUE(matchByRay(segmentAt({4.5, 0}), {4, 5}, certain, map, config).mapped());
+    EXPECT_TRUE(matchByRay(segmentAt({5.5, 0}), {5, 6}, certain, map, config).mapped());
+    EXPECT_FALSE(matchByRay(segmentAt({4.5, 0}), {4, 4.999}, certain, map, config).mapped());
+    EXPECT_EQ(matchByRay(segmentAt({5, 0}), {5, 5}, certain, map, config).residual, 0);
 }
 
 TEST(MatchByRay, nothingOnTheRayIsKept) {
     const LineMap map(wallAtFive);
-    const auto match = matchByRay(segmentAt({-5, 0}), {4.9, 5.1}, viewpoint(), map, {});
+    const auto match = matchByRay(segmentAt({-5, 0}), {4.9, 5.1}, viewpoint(), map, config);
     EXPECT_EQ(match.verdict, Verdict::Kept);
     EXPECT_EQ(match.reason, KeepReason::NoWallOnRay);
     EXPECT_FALSE(match.wall);
@@ -91,17 +92,17 @@ TEST(MatchByRay, nothingOnTheRayIsKept) {
 }
 
 TEST(MatchByRay, wallBeyondMaxRangeIsNone) {
-    MatchingConfig config;
-    config.maxRange = 4.9;
+    MatchingConfig near = config;
+    near.maxRange = 4.9;
     const auto match =
-        matchByRay(segmentAt({5, 0}), {4.8, 5.2}, viewpoint(), LineMap(wallAtFive), config);
+        matchByRay(segmentAt({5, 0}), {4.8, 5.2}, viewpoint(), LineMap(wallAtFive), near);
     EXPECT_EQ(match.reason, KeepReason::NoWallOnRay);
 }
 
 TEST(MatchByRay, measuredIntervalAroundThePredictedOneMatches) {
     // Eq. 7 as printed asks whether an end point lies inside, and refuses this.
     const auto match =
-        matchByRay(segmentAt({5, 0}), {4.5, 5.5}, viewpoint(), LineMap(wallAtFive), {});
+        matchByRay(segmentAt({5, 0}), {4.5, 5.5}, viewpoint(), LineMap(wallAtFive), config);
     EXPECT_EQ(match.verdict, Verdict::MappedByRay);
     ASSERT_TRUE(match.predicted);
     EXPECT_TRUE(match.measured.contains(*match.predicted));
@@ -112,19 +113,19 @@ TEST(MatchByRay, ellipseCountsInTheDirectionOfTheRay) {
     Viewpoint oblong = viewpoint();
     oblong.ellipse = PositionEllipse(Eigen::Vector2d(0.05 * 0.05, 0.16 * 0.16).asDiagonal());
     const LineMap map({{{{5, -3}, {5, 3}}, 0.12}, {{{-3, 5}, {3, 5}}, 0.12}});
-    EXPECT_NEAR(matchByRay(segmentAt({5, 0}), {5, 5}, oblong, map, {}).predicted->width(), 4 * 0.13,
-                1e-14);
-    EXPECT_NEAR(matchByRay(segmentAt({0, 5}), {5, 5}, oblong, map, {}).predicted->width(), 4 * 0.20,
-                1e-14);
+    EXPECT_NEAR(matchByRay(segmentAt({5, 0}), {5, 5}, oblong, map, config).predicted->width(),
+                4 * 0.13, 1e-14);
+    EXPECT_NEAR(matchByRay(segmentAt({0, 5}), {5, 5}, oblong, map, config).predicted->width(),
+                4 * 0.20, 1e-14);
 }
 
 TEST(MatchByRay, heightOfTheSegmentChoosesTheWall) {
     const LineMap map({{{{5, -3}, {5, 3}}, 0.03, {3, 4}}, {{{8, -3}, {8, 3}}, 0.03}});
     VerticalSegment high = segmentAt({5, 0});
-    EXPECT_EQ(matchByRay(high, {4.9, 5.1}, viewpoint(), map, {}).wall, 1u);
+    EXPECT_EQ(matchByRay(high, {4.9, 5.1}, viewpoint(), map, config).wall, 1u);
     high.bottom.y = 2;
     high.top.y = 3;  // 3 to 4 m in the map, the sensor being 1 m up
-    EXPECT_EQ(matchByRay(high, {4.9, 5.1}, viewpoint(), map, {}).wall, 0u);
+    EXPECT_EQ(matchByRay(high, {4.9, 5.1}, viewpoint(), map, config).wall, 0u);
 }
 
 TEST(MatchByRay, jumpEdgeWithinTheHeadingIsAmbiguous) {
@@ -133,23 +134,24 @@ TEST(MatchByRay, jumpEdgeWithinTheHeadingIsAmbiguous) {
     const LineMap map({{{{5, -3}, {5, 0}}, 0.03}, {{{8, -3}, {8, 3}}, 0.03}});
     const VerticalSegment segment = segmentAt({8, -0.05});
     const Interval measured(7.95, 8.05);
-    const auto certain = matchByRay(segment, measured, viewpoint(0), map, {});
+    const auto certain = matchByRay(segment, measured, viewpoint(0), map, config);
     EXPECT_EQ(certain.reason, KeepReason::BehindWall);
     EXPECT_EQ(certain.wall, 0u);
     const double tooLittle = 0.05 / 8 / 2 * 0.9;
-    EXPECT_EQ(matchByRay(segment, measured, viewpoint(tooLittle), map, {}).reason,
+    EXPECT_EQ(matchByRay(segment, measured, viewpoint(tooLittle), map, config).reason,
               KeepReason::BehindWall);
-    const auto ambiguous = matchByRay(segment, measured, viewpoint(0.0087), map, {});
+    const auto ambiguous = matchByRay(segment, measured, viewpoint(0.0087), map, config);
     EXPECT_EQ(ambiguous.verdict, Verdict::Kept);
     EXPECT_EQ(ambiguous.reason, KeepReason::AmbiguousCorner);
     EXPECT_EQ(ambiguous.wall, 1u);
-    EXPECT_EQ(matchByRay(segment, {6.4, 6.6}, viewpoint(0.0087), map, {}).reason,
+    EXPECT_EQ(matchByRay(segment, {6.4, 6.6}, viewpoint(0.0087), map, config).reason,
               KeepReason::BehindWall);  // fits neither
 }
 
 TEST(MatchByRay, wallThatTheRayJustMissesIsAmbiguous) {
     const LineMap map({{{{5, -3}, {5, 0}}, 0.03}});
-    const auto match = matchByRay(segmentAt({5, 0.05}), {4.95, 5.05}, viewpoint(0.0087), map, {});
+    const auto match =
+        matchByRay(segmentAt({5, 0.05}), {4.95, 5.05}, viewpoint(0.0087), map, config);
     EXPECT_EQ(match.reason, KeepReason::AmbiguousCorner);
     EXPECT_EQ(match.wall, 0u);
     EXPECT_FALSE(match.predicted);
@@ -176,20 +178,22 @@ RC_GTEST_PROP(MatchByRayLaws, largerCovarianceNeverUnmatches, ()) {
     const double heading = number(0, 10);
     const Viewpoint before{{0, 0}, 1, PositionEllipse(small), heading};
     const Viewpoint after{{0, 0}, 1, PositionEllipse(large), heading + number(0, 10)};
-    const bool mapped = matchByRay(segment, measured, before, map, {}).mapped();
+    const bool mapped = matchByRay(segment, measured, before, map, config).mapped();
     RC_CLASSIFY(mapped);
-    if (mapped) RC_ASSERT(matchByRay(segment, measured, after, map, {}).mapped());
+    if (mapped) RC_ASSERT(matchByRay(segment, measured, after, map, config).mapped());
 }
 
 TEST(FaultOf, limitsWhatIsTooUncertain) {
-    MatchingConfig config;  // 2 sigmas: at most 0.5 m, at most 15 degrees
-    EXPECT_FALSE(faultOf(viewpoint(mrpt::DEG2RAD(7.4)), config));
-    EXPECT_EQ(faultOf(viewpoint(mrpt::DEG2RAD(7.6)), config), PoseFault::TooUncertain);
+    MatchingConfig limits = config;
+    limits.maxPositionRadius = 0.5;
+    limits.maxHeadingError = mrpt::DEG2RAD(15.0);
+    EXPECT_FALSE(faultOf(viewpoint(mrpt::DEG2RAD(7.4)), limits));
+    EXPECT_EQ(faultOf(viewpoint(mrpt::DEG2RAD(7.6)), limits), PoseFault::TooUncertain);
     Viewpoint vague = viewpoint();
     vague.ellipse = PositionEllipse(Eigen::Vector2d(0.24 * 0.24, 0).asDiagonal());
-    EXPECT_FALSE(faultOf(vague, config));
+    EXPECT_FALSE(faultOf(vague, limits));
     vague.ellipse = PositionEllipse(Eigen::Vector2d(0, 0.26 * 0.26).asDiagonal());
-    EXPECT_EQ(faultOf(vague, config), PoseFault::TooUncertain);
+    EXPECT_EQ(faultOf(vague, limits), PoseFault::TooUncertain);
 }
 
 TEST(FaultOf, poseThatIsNotFiniteIsFound) {
@@ -200,7 +204,7 @@ TEST(FaultOf, poseThatIsNotFiniteIsFound) {
         if (field < 3) position[static_cast<size_t>(field)] = nan;
         sensor.sensorInMap.setFromValues(position[0], position[1], position[2]);
         if (field >= 3) sensor.groundCovariance(field - 3, field - 3) = nan;
-        EXPECT_EQ(faultOf(viewpointOf(sensor), {}), PoseFault::NotFinite) << "field " << field;
+        EXPECT_EQ(faultOf(viewpointOf(sensor), config), PoseFault::NotFinite) << "field " << field;
     }
 }
 

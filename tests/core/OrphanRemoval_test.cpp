@@ -11,7 +11,8 @@ namespace {
 
 constexpr auto ray = Verdict::MappedByRay, kept = Verdict::Kept, orphan = Verdict::RemovedAsOrphan;
 
-void removeIn(test::SegmentWorld& world, const OrphanConfig& config = {}) {
+void removeIn(test::SegmentWorld& world) {
+    const OrphanConfig config{.remove = true, .neighbourColumns = 2, .maxDistance = 0.5};
     SegmentsByColumn byColumn;
     byColumn.build(world.segments, world.viewpoints);
     removeOrphans(ColumnRing(world.scan), world.segments, byColumn, config, world.matches);

@@ -88,9 +88,11 @@ TEST(VerticalSegments, depthOverCosineOfElevationIsAWall) {
 }
 
 TEST(VerticalSegments, tiltIsBoundedByEta) {
+    VerticalConfig config;
+    config.maxTilt = mrpt::DEG2RAD(5.0);
     for (const double degrees : {-5.1, -4.9, 0.0, 4.9, 5.1}) {
         const double tilt = degrees * std::numbers::pi / 180;
-        const auto segments = segmentsOf(columnOf(tiltedWall(3, tilt))).segments;
+        const auto segments = segmentsOf(columnOf(tiltedWall(3, tilt)), config).segments;
         ASSERT_EQ(segments.size(), std::abs(degrees) < 5 ? 1u : 0u) << degrees << " degrees";
         for (const auto& segment : segments) EXPECT_NEAR(segment.tilt, std::abs(tilt), rounding);
     }
