@@ -84,6 +84,9 @@ TEST(PointCloudScan, whatIsNoReturnIsCountedAndLeftOut) {
     EXPECT_EQ(turn.scan.sourceIndex, (std::vector<uint32_t>{0, 5}));
     EXPECT_EQ(turn.counts.returns, 3U);
     EXPECT_EQ(turn.counts.duplicates, 1U);
+    ASSERT_EQ(turn.duplicates.size(), 1U);
+    EXPECT_EQ(turn.duplicates[0].slot, 3U);
+    EXPECT_EQ(turn.duplicates[0].point, 0U);
     EXPECT_EQ(turn.counts.nonFinite, 2U);
     EXPECT_EQ(turn.counts.zero, 1U);
 }

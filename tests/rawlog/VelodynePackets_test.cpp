@@ -38,7 +38,7 @@ TEST(VelodynePackets, realScanGivesAllFirings) {
     EXPECT_EQ(decoded.firings.size(), 75U * 12 * 2);
     size_t returns = 0;
     for (size_t slot = 0; slot < 75 * slotsPerPacket; ++slot) {
-        if (returnInSlot(*scans[0], slot).distance() != 0) ++returns;
+        if (distanceOf(returnInSlot(*scans[0], slot)) != 0) ++returns;
     }
     EXPECT_EQ(returns, 22591U);
     EXPECT_EQ(decoded.points.size(), returns);

@@ -129,7 +129,7 @@ TEST(VelodyneScan, keptAndRemovedTogetherAreTheOriginal) {
         const Scan removed = withOnly(scan, test::complementOf(keep), Leftovers::Drop);
         for (size_t slot = 0; slot < keep.size(); ++slot) {
             const auto& gone = returnInSlot(keep[slot] ? removed : kept, slot);
-            EXPECT_EQ(gone.distance(), 0);
+            EXPECT_EQ(distanceOf(gone), 0);
             EXPECT_EQ(gone.intensity(), 0);
             if (keep[slot]) continue;
             kept.scan_packets[slot / 384].blocks[slot / 32 % 12].laser_returns[slot % 32] =

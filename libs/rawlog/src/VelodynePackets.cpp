@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 #include <mrpt/core/bits_math.h>
+#include <mrpt/core/reverse_bytes.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 namespace offmap::rawlog {
@@ -27,6 +29,18 @@ constexpr double laserPeriod = 2.304;
 constexpr size_t lasers = 16;
 constexpr size_t firingsPerBlock = Scan::SCANS_PER_BLOCK / lasers;
 
+/// Fields of packets stand at odd addresses, where MRPT's accessors bind references to them.
+template <class T>
+T field(const void* record, size_t offset) {
+    T value;
+    std::memcpy(&value, static_cast<const char*>(record) + offset, sizeof value);
+    return mrpt::toNativeEndianness(value);
+}
+
+uint16_t headerOf(const Scan::raw_block_t& block) { return field<uint16_t>(&block, 0); }
+uint16_t rotationOf(const Scan::raw_block_t& block) { return field<uint16_t>(&block, 2); }
+uint32_t stampOf(const Packet& packet) { return field<uint32_t>(&packet, sizeof packet.blocks); }
+
 const LaserCalibrations& calibrationOf(const Scan& obs) {
     static const mrpt::obs::VelodyneCalibration factory =
         mrpt::obs::VelodyneCalibration::LoadDefaultCalibration("VLP16");
@@ -44,7 +58,7 @@ const LaserCalibrations& calibrationOf(const Scan& obs) {
 double rotationPerBlock(const Packet& packet) {
     std::array<int, Scan::BLOCKS_PER_PACKET - 1> steps{};
     for (size_t i = 0; i < steps.size(); ++i) {
-        const int step = packet.blocks[i + 1].rotation() - packet.blocks[i].rotation();
+        const int step = rotationOf(packet.blocks[i + 1]) - rotationOf(packet.blocks[i]);
         steps[i] = (step + Scan::ROTATION_MAX_UNITS) % Scan::ROTATION_MAX_UNITS;
     }
     std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
@@ -54,8 +68,8 @@ double rotationPerBlock(const Packet& packet) {
 /// The packet's stamp counts microseconds from the full hour, and starts again at the next.
 std::chrono::microseconds sinceFirstPacket(const Scan& obs, const Packet& packet) {
     constexpr int64_t hour = 3'600'000'000;
-    const int64_t first = obs.scan_packets.front().gps_timestamp();
-    int64_t elapsed = packet.gps_timestamp() - first;
+    const int64_t first = stampOf(obs.scan_packets.front());
+    int64_t elapsed = stampOf(packet) - first;
     if (elapsed <= -hour / 2) elapsed += hour;
     if (elapsed > hour / 2) elapsed -= hour;
     return std::chrono::microseconds(elapsed);
@@ -95,7 +109,7 @@ class Decoder {
         const auto packetTime = obs_.timestamp + sinceFirstPacket(obs_, packet);
         const double rate = rotationPerBlock(packet) / blockPeriod;
         for (size_t b = 0; b < Scan::BLOCKS_PER_PACKET; ++b) {
-            if (packet.blocks[b].header() != Scan::UPPER_BANK) continue;  // mangled
+            if (headerOf(packet.blocks[b]) != Scan::UPPER_BANK) continue;  // mangled
             for (size_t f = 0; f < firingsPerBlock; ++f) {
                 const double offset =
                     static_cast<double>(b) * blockPeriod + static_cast<double>(f) * firingPeriod;
@@ -114,12 +128,12 @@ class Decoder {
     void decodeFiring(VelodyneFiring firing, const Scan::raw_block_t& block, size_t f,
                       size_t firstSlot, double rate) {
         const double start =
-            block.rotation() + rate * firingPeriod * static_cast<double>(f);  // [1/100 deg]
+            rotationOf(block) + rate * firingPeriod * static_cast<double>(f);  // [1/100 deg]
         const double middle = start + rate * laserPeriod * 0.5 * (lasers - 1);
         firing.azimuth = -toRadians(middle);
         firing.begin = static_cast<uint32_t>(out_.points.size());
         for (size_t l = 0; l < lasers; ++l) {
-            const uint16_t distance = block.laser_returns[f * lasers + l].distance();
+            const uint16_t distance = distanceOf(block.laser_returns[f * lasers + l]);
             if (distance == 0) continue;
             const double clockwise = start + rate * laserPeriod * static_cast<double>(l);
             out_.points.push_back(pointOf(distance, toRadians(clockwise), lasers_[l]));
@@ -135,6 +149,10 @@ class Decoder {
 };
 
 }  // namespace
+
+uint16_t distanceOf(const Scan::laser_return_t& laserReturn) {
+    return field<uint16_t>(&laserReturn, 0);
+}
 
 VelodyneReturns decodePackets(const Scan& obs) { return Decoder(obs).decode(); }
 

@@ -36,4 +36,7 @@ VelodyneReturns decodePackets(const mrpt::obs::CObservationVelodyneScan& obs);
 const mrpt::obs::CObservationVelodyneScan::laser_return_t& returnInSlot(
     const mrpt::obs::CObservationVelodyneScan& obs, size_t slot);
 
+/// [2 mm] 0: no return.
+uint16_t distanceOf(const mrpt::obs::CObservationVelodyneScan::laser_return_t& laserReturn);
+
 }  // namespace offmap::rawlog
