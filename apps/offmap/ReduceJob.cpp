@@ -87,7 +87,9 @@ rawlog::ReductionTotals writeOutputs(const ReduceOptions& options, const rawlog:
                                      rawlog::GuardedStatus& status) {
     rawlog::ReductionTotals totals;
     Progress progress(options.quiet);
-    rawlog::TurnReducer reducer(map, poses, config, options.outputClass);
+    const auto outputClass =
+        options.outputClass == "points" ? rawlog::OutputClass::Points : rawlog::OutputClass::Same;
+    rawlog::TurnReducer reducer(map, poses, config, outputClass);
     rawlog::LogReduction reduction(
         survey, reducer, config,
         {options.input, {options.sensors.begin(), options.sensors.end()}, options.keepGoing},

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <utility>
 
 namespace offmap::app {
@@ -22,7 +21,6 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 }  // namespace
 
 void ReduceOptions::addTo(CLI::App& command) {
-    using rawlog::OutputClass;
     command.add_option("input", input, "Rawlog to reduce; it is only read")
         ->required()
         ->type_name("IN");
@@ -36,10 +34,8 @@ void ReduceOptions::addTo(CLI::App& command) {
         ->allow_extra_args(false);
     command
         .add_option("--output", outputClass,
-                    "Class of reduced observations: same, or points "
-                    "(CObservationPointCloud)")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, OutputClass>{
-            {"same", OutputClass::Same}, {"points", OutputClass::Points}}))
+                    "Class of reduced observations: their own, or CObservationPointCloud")
+        ->check(CLI::IsMember({"same", "points"}).description(""))
         ->type_name("same|points");
     command.add_flag("--strict", strict, "Exit with 3 if a scan could not be reduced");
     command.add_flag("--keep-going", keepGoing,

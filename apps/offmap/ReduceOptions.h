@@ -3,8 +3,6 @@
 
 #include "SharedOptions.h"
 
-#include <offmap/rawlog/TurnReducer.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,7 +14,7 @@ struct ReduceOptions {
     std::filesystem::path input, output, removed, report;  ///< the latter two may be empty
     SharedOptions shared;
     std::vector<std::string> sensors;
-    rawlog::OutputClass outputClass = rawlog::OutputClass::Same;
+    std::string outputClass = "same";  ///< or "points"
     bool strict = false, keepGoing = false, force = false, quiet = false;
 
     void addTo(CLI::App& command);
