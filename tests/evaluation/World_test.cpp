@@ -14,7 +14,6 @@ namespace {
 
 using mrpt::math::TPoint2D;
 using mrpt::math::TPoint3D;
-using mrpt::math::TPose2D;
 using mrpt::math::TVector3D;
 using mrpt::poses::CPose2D;
 

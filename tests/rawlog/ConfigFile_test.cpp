@@ -48,7 +48,7 @@ bool equal(const Config& a, const Config& b) {
 std::string errorOfText(const std::string& text) {
     const TemporaryFile file(text);
     Config config;
-    const std::string error = errorOf([&] { applyYaml(config, file.path); });
+    std::string error = errorOf([&] { applyYaml(config, file.path); });
     EXPECT_TRUE(equal(config, Config{})) << text;
     EXPECT_THAT(error, HasSubstr(file.path.string()));
     return error;

@@ -15,7 +15,7 @@ constexpr double doorWidth = 0.9;   // [m]
 
 /// Panels from point to point.
 void addWalls(World& world, std::initializer_list<TPoint2D> points, double height, bool mapped) {
-    for (auto point = points.begin(); point + 1 < points.end(); ++point) {
+    for (const auto* point = points.begin(); point + 1 < points.end(); ++point) {
         const Panel panel{{*point, *(point + 1)}, {0, height}};
         mapped ? world.addMappedPanel(panel) : world.addPanel(panel);
     }

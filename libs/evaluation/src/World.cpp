@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace offmap::evaluation {
 
@@ -15,8 +14,8 @@ void requireExtent(bool hasExtent, const char* shape) {
 
 }  // namespace
 
-uint32_t World::add(Surface surface) {
-    surfaces_.push_back(std::move(surface));
+uint32_t World::add(const Surface& surface) {
+    surfaces_.push_back(surface);
     return static_cast<uint32_t>(surfaces_.size() - 1);
 }
 

@@ -117,7 +117,7 @@ std::vector<std::string_view> applyYaml(Config& config, const std::filesystem::p
     }
     try {
         Config changed = config;
-        const auto keysSet = applyDocument(changed, parseOneMap(stream));
+        auto keysSet = applyDocument(changed, parseOneMap(stream));
         changed.validate();
         config = changed;
         return keysSet;

@@ -14,6 +14,7 @@ namespace offmap::rawlog {
 namespace {
 
 using Names = std::vector<std::string_view>;
+using Rows = std::vector<Parameter>;
 
 /// \param access a generic lambda from a Config to the field, constant or not
 template <typename Access>
@@ -56,9 +57,9 @@ Parameter choice(std::string_view key, Names names, Access access, std::string_v
 }
 
 // clang-format off
-#define FIELD(path) [](auto& c) -> auto& { return c.path; }
+#define FIELD(path) ([](auto& c) -> auto& { return c.path; })
 
-std::vector<Parameter> makeTable() {
+Rows segmentRows() {
     return {
         number("vertical.max_point_to_line_m", "m", 0.001, 1, FIELD(reduction.vertical.maxPointToLine),
                "split-and-merge tolerance: a return's distance from its vertical segment"),
@@ -73,7 +74,11 @@ std::vector<Parameter> makeTable() {
 
         number("ground_interval.max_mounting_tilt_deg", "deg", 0, 45, FIELD(reduction.groundInterval.maxMountingTilt),
                "how far the sensor may lean without anybody knowing (gamma of eq. 4)"),
+    };
+}
 
+Rows matchingRows() {
+    return {
         choice("matching.method", {"paper"}, FIELD(reduction.matching.method),
                "how segments are matched to the map"),
         number("matching.sigma_factor", "-", 0, 10, FIELD(reduction.matching.sigmaFactor),
@@ -84,7 +89,11 @@ std::vector<Parameter> makeTable() {
                "a pose whose position ellipse is larger is not used"),
         number("matching.max_heading_error_deg", "deg", 0.01, 90, FIELD(reduction.matching.maxHeadingError),
                "a pose whose heading is less certain is not used"),
+    };
+}
 
+Rows extensionAndOrphanRows() {
+    return {
         onOff("extension.enabled", FIELD(reduction.extension.enabled),
               "extend matched segments along their wall (section 3.3)"),
         number("extension.max_point_to_line_m", "m", 0.001, 1, FIELD(reduction.extension.maxPointToLine),
@@ -104,7 +113,11 @@ std::vector<Parameter> makeTable() {
               "columns to either side in which an orphan has no company"),
         number("orphan.max_distance_m", "m", 0.01, 100, FIELD(reduction.orphan.maxDistance),
                "a kept segment nearer than this is company"),
+    };
+}
 
+Rows inputRows() {
+    return {
         choice("sensor.pose_reference", {"auto", "turn", "column"}, FIELD(sensor.poseReference),
                "turned 2D scanner: place columns by the turn's one pose or by a pose each"),
         count("sensor.columns_per_turn", 0, 1000000, FIELD(sensor.columnsPerTurn),
@@ -127,6 +140,15 @@ std::vector<Parameter> makeTable() {
 }
 #undef FIELD
 // clang-format on
+
+Rows allRows() {
+    Rows table;
+    for (const auto& section :
+         {segmentRows(), matchingRows(), extensionAndOrphanRows(), inputRows()}) {
+        table.insert(table.end(), section.begin(), section.end());
+    }
+    return table;
+}
 
 /// Number of single-character edits that turn one text into the other (Levenshtein).
 size_t editDistance(std::string_view a, std::string_view b) {
@@ -152,7 +174,7 @@ size_t mistypedBy(std::string_view text, const Parameter& p) {
 }  // namespace
 
 std::span<const Parameter> parameters() {
-    static const std::vector<Parameter> table = makeTable();
+    static const Rows table = allRows();
     return table;
 }
 

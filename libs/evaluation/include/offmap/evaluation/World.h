@@ -56,7 +56,7 @@ class World {
     friend std::vector<core::Wall> mapOf(const World& world) { return world.map_; }
 
  private:
-    uint32_t add(Surface surface);
+    uint32_t add(const Surface& surface);
 
     std::vector<core::Wall> map_;
     std::vector<Surface> surfaces_;
