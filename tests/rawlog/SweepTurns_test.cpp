@@ -91,6 +91,20 @@ TEST(SweepTurns, scannerThatStandsStillEndsItsTurnsAsWell) {
     EXPECT_EQ(started, 3U);
 }
 
+TEST(SweepTurns, onlyTheAzimuthsWrapCountsAsWrapped) {
+    SensorConfig config;
+    config.columnsPerTurn = 200;
+    SweepTurns turns(config);
+    std::vector<bool> wrapped;
+    auto yaws = evenly(0, 2, 181);          // round, once
+    const auto slow = evenly(0, 0.1, 210);  // 200 columns, the wrap's one included
+    yaws.insert(yaws.end(), slow.begin() + 1, slow.end());
+    for (const auto& fan : fansAt(yaws)) {
+        if (turns.startsNewTurn(*fan)) wrapped.push_back(turns.wrapped());
+    }
+    EXPECT_EQ(wrapped, (std::vector<bool>{false, true, false}));
+}
+
 TEST(SweepTurns, resetForgetsTheTurn) {
     SweepTurns turns({});
     const auto fans = fansAt({0, 1});
