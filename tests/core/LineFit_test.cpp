@@ -116,6 +116,20 @@ TEST(LineFit, coincidingPointsGiveALineAlongX) {
     EXPECT_EQ(fitTo({{3, 4}}).direction, TPoint2D(1, 0));
 }
 
+TEST(LineFit, addingFitsIsAddingTheirPoints) {
+    std::mt19937 random(8);
+    const auto points = noisyLine(0.7, random);
+    for (size_t cut = 0; cut <= points.size(); ++cut) {
+        LineFit first, second;
+        for (size_t i = 0; i < points.size(); ++i) (i < cut ? first : second).add(points[i]);
+        first.add(second);
+        const FittedLine line = first.line(), expected = fitTo(points);
+        EXPECT_EQ(first.count(), points.size());
+        EXPECT_NEAR(crossOf(line.direction, expected.direction), 0, rounding) << "cut at " << cut;
+        EXPECT_NEAR((line.point - expected.point).norm(), 0, rounding) << "cut at " << cut;
+    }
+}
+
 TEST(LineFit, countsItsPoints) {
     LineFit fit;
     EXPECT_EQ(fit.count(), 0u);

@@ -85,8 +85,7 @@ void Extender::extendChain(std::span<const uint32_t> chain) {
                                         std::numeric_limits<double>::infinity(), config.minLength,
                                         config.minSegments};
     for (const LinePiece& piece : splitAndMerge(scratch_.chain, splitting, scratch_.splitting)) {
-        HorizontalLine line{{}, *matches_[chain[piece.begin]].wall};
-        for (uint32_t i = piece.begin; i < piece.end; ++i) line.fit.add(scratch_.chain[i]);
+        HorizontalLine line{piece.fit, *matches_[chain[piece.begin]].wall};
         extend(line, segments_[chain[piece.end - 1]].column, +1);
         extend(line, segments_[chain[piece.begin]].column, -1);
     }

@@ -3,15 +3,19 @@
 
 namespace offmap::core {
 
-void LineFit::add(const mrpt::math::TPoint2D& p) {
-    if (count_ == 0) origin_ = p;
-    ++count_;
-    const double x = p.x - origin_.x, y = p.y - origin_.y;
-    x_ += x;
-    y_ += y;
-    xx_ += x * x;
-    xy_ += x * y;
-    yy_ += y * y;
+void LineFit::add(const LineFit& other) {
+    if (count_ == 0) {
+        *this = other;
+        return;
+    }
+    const double n = static_cast<double>(other.count_);
+    const double dx = other.origin_.x - origin_.x, dy = other.origin_.y - origin_.y;
+    count_ += other.count_;
+    xx_ += other.xx_ + dx * (2 * other.x_ + n * dx);
+    xy_ += other.xy_ + dx * other.y_ + dy * (other.x_ + n * dx);
+    yy_ += other.yy_ + dy * (2 * other.y_ + n * dy);
+    x_ += other.x_ + n * dx;
+    y_ += other.y_ + n * dy;
 }
 
 FittedLine LineFit::line() const {
@@ -20,7 +24,7 @@ FittedLine LineFit::line() const {
     // The major axis of the 2x2 scatter [sxx sxy; sxy syy] stands at half the angle of (sxx - syy,
     // 2 sxy).
     const double difference = sxx - syy, doubled = 2 * sxy;
-    const double length = std::hypot(difference, doubled);
+    const double length = std::sqrt(difference * difference + doubled * doubled);
     FittedLine line;
     line.point = {origin_.x + x_ / n, origin_.y + y_ / n};
     if (length == 0) {

@@ -12,42 +12,36 @@ using Run = SplitAndMergeScratch::Run;
 
 namespace {
 
+bool isGap(const TPoint2D& a, const TPoint2D& b, double maxGap) {
+    return (b - a).sqrNorm() > maxGap * maxGap;
+}
+
 FittedLine chordOf(Points points, const Run& run) {
-    const TPoint2D from = points[run.begin], to = points[run.end - 1];
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const TPoint2D from = points[run.begin], along = points[run.end - 1] - from;
+    const double length = std::sqrt(along.sqrNorm());
     if (length == 0) return {from, {1, 0}};
-    return {from, (to - from) * (1 / length)};
+    return {from, along * (1 / length)};
 }
 
-FittedLine fitTo(Points points, const Run& run) {
-    LineFit fit;
-    for (uint32_t i = run.begin; i < run.end; ++i) fit.add(points[i]);
-    return fit.line();
+LinePiece pieceOf(Points points, const Run& run) {
+    LinePiece piece{run.begin, run.end, {}, {}};
+    for (uint32_t i = run.begin; i < run.end; ++i) piece.fit.add(points[i]);
+    piece.line = piece.fit.line();
+    return piece;
 }
 
-bool allWithin(Points points, const Run& run, const FittedLine& line, double distance) {
-    return std::all_of(points.begin() + run.begin, points.begin() + run.end,
-                       [&](const TPoint2D& p) { return line.distance(p) <= distance; });
-}
-
-/// Where a run has to be cut: at the point furthest from the chord of its ends, or else from the
-/// line fitted to it, if that is too far. The point begins the second part, unless it is the first
-/// of the run. run.end: nowhere.
-uint32_t splitPoint(Points points, const Run& run, double maxPointToLine) {
-    uint32_t at = run.end;
-    const auto lookAlong = [&](const FittedLine& line) {
-        double furthest = maxPointToLine;
-        for (uint32_t i = run.begin; i < run.end; ++i) {
-            const double distance = line.distance(points[i]);
-            if (distance > furthest) {
-                furthest = distance;
-                at = std::max(i, run.begin + 1);
-            }
+/// The point of a run that is furthest from a line, if that is too far; else run.end.
+uint32_t strayPoint(Points points, const Run& run, const FittedLine& line, double maxPointToLine) {
+    double furthest = maxPointToLine;
+    uint32_t stray = run.end;
+    for (uint32_t i = run.begin; i < run.end; ++i) {
+        const double distance = line.distance(points[i]);
+        if (distance > furthest) {
+            furthest = distance;
+            stray = i;
         }
-    };
-    lookAlong(chordOf(points, run));
-    if (at == run.end) lookAlong(fitTo(points, run));
-    return at;
+    }
+    return stray;
 }
 
 /// Runs without gaps, the last one on top.
@@ -55,26 +49,25 @@ void cutAtGaps(Points points, double maxGap, std::vector<Run>& runs) {
     runs.clear();
     uint32_t end = static_cast<uint32_t>(points.size());
     for (uint32_t i = end; i > 0; --i) {
-        const bool gap = i == 1 || std::hypot(points[i - 1].x - points[i - 2].x,
-                                              points[i - 1].y - points[i - 2].y) > maxGap;
-        if (!gap) continue;
+        if (i > 1 && !isGap(points[i - 2], points[i - 1], maxGap)) continue;
         runs.push_back({i - 1, end});
         end = i - 1;
     }
 }
 
 /// Merges a piece into the one before it while one line serves both.
-void append(Points points, const Run& run, const SplitAndMergeConfig& config,
+void append(Points points, LinePiece piece, const SplitAndMergeConfig& config,
             std::vector<LinePiece>& pieces) {
-    LinePiece piece{run.begin, run.end, fitTo(points, run)};
-    while (!pieces.empty() && pieces.back().end == piece.begin) {
-        const Run both{pieces.back().begin, piece.end};
-        const TPoint2D seam = points[piece.begin] - points[piece.begin - 1];
-        if (std::hypot(seam.x, seam.y) > config.maxGap) break;
-        const FittedLine line = fitTo(points, both);
-        if (!allWithin(points, both, line, config.maxPointToLine)) break;
+    while (!pieces.empty() && pieces.back().end == piece.begin &&
+           !isGap(points[piece.begin - 1], points[piece.begin], config.maxGap)) {
+        LinePiece both = pieces.back();
+        both.end = piece.end;
+        both.fit.add(piece.fit);
+        both.line = both.fit.line();
+        const Run run{both.begin, both.end};
+        if (strayPoint(points, run, both.line, config.maxPointToLine) != run.end) break;
         pieces.pop_back();
-        piece = {both.begin, both.end, line};
+        piece = both;
     }
     pieces.push_back(piece);
 }
@@ -100,13 +93,19 @@ std::span<const LinePiece> splitAndMerge(Points points, const SplitAndMergeConfi
     while (!pending.empty()) {
         const Run run = pending.back();
         pending.pop_back();
-        const uint32_t at = splitPoint(points, run, config.maxPointToLine);
+        uint32_t at = strayPoint(points, run, chordOf(points, run), config.maxPointToLine);
         if (at == run.end) {
-            append(points, run, config, pieces);
-        } else {
-            pending.push_back({at, run.end});
-            pending.push_back({run.begin, at});
+            const LinePiece piece = pieceOf(points, run);
+            at = strayPoint(points, run, piece.line, config.maxPointToLine);
+            if (at == run.end) {
+                append(points, piece, config, pieces);
+                continue;
+            }
         }
+        // The stray point begins the second part, unless it is the first of the run.
+        at = std::max(at, run.begin + 1);
+        pending.push_back({at, run.end});
+        pending.push_back({run.begin, at});
     }
     std::erase_if(pieces,
                   [&](const LinePiece& piece) { return !longEnough(points, piece, config); });

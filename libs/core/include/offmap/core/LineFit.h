@@ -28,7 +28,18 @@ struct FittedLine {
 /// point, so that far from the origin nothing is lost.
 class LineFit {
  public:
-    void add(const mrpt::math::TPoint2D& p);
+    void add(const mrpt::math::TPoint2D& p) {
+        if (count_ == 0) origin_ = p;
+        ++count_;
+        const double x = p.x - origin_.x, y = p.y - origin_.y;
+        x_ += x;
+        y_ += y;
+        xx_ += x * x;
+        xy_ += x * y;
+        yy_ += y * y;
+    }
+    /// As if the points of the other had been added one by one.
+    void add(const LineFit& other);
     size_t count() const { return count_; }
 
     /// The line of least squared distances; through coinciding points, one along x.

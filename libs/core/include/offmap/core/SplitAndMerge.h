@@ -21,7 +21,8 @@ struct SplitAndMergeConfig {
 /// A straight piece of an ordered list of points.
 struct LinePiece {
     uint32_t begin, end;  ///< half-open range into the points
-    FittedLine line;      ///< total least squares through them
+    LineFit fit;          ///< of them
+    FittedLine line;      ///< fit.line()
 };
 
 /// Working memory, and the owner of the result.
