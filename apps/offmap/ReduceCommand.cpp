@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceCommand.h"
 
+#include "Guarded.h"
 #include "ReduceJob.h"
 #include "UsageError.h"
 
@@ -15,27 +16,15 @@ namespace offmap::app {
 
 namespace {
 
-constexpr int exitSignalBase = 128;  // as a shell tells a program that a signal ended
-
 int reduceGuarded(const ReduceOptions& options, const rawlog::Config& config,
                   const core::LineMap& map, const ReadableLog& readable) {
     using Kind = rawlog::GuardedOutcome::Kind;
-    const rawlog::GuardedOutcome outcome = rawlog::runGuarded([&](rawlog::GuardedStatus& status) {
-        try {
+    const rawlog::GuardedOutcome outcome =
+        reportingErrorsGuarded([&](rawlog::GuardedStatus& status) {
             return reduceLog(options, config, map, readable, status);
-        } catch (const UsageError& error) {
-            fmt::print(stderr, "offmap: {}\n", error.what());
-            return static_cast<int>(exitUsage);
-        } catch (const std::exception& error) {
-            fmt::print(stderr, "offmap: {}\n", error.what());
-            return static_cast<int>(exitFailed);
-        }
-    });
+        });
     if (outcome.kind == Kind::Finished) return outcome.exitCode;
-    if (outcome.kind == Kind::Interrupted) {
-        fmt::print(stderr, "offmap: interrupted; nothing was written\n");
-        return exitSignalBase + outcome.signal;
-    }
+    if (outcome.kind == Kind::Interrupted) return exitCodeOfInterruption(outcome);
     const std::string what = rawlog::unreadableEntry(
         options.input, outcome.place.value_or(rawlog::EntryPlace{}), outcome.cause);
     if (options.keepGoing && outcome.place && outcome.place->index < readable.entries) {

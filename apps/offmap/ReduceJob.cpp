@@ -142,7 +142,10 @@ int reduceLog(const ReduceOptions& options, const rawlog::Config& config, const 
         rawlog::surveyLog(reader, readable.entries, [&] { status.atEntry(reader.place()); });
     std::string endsBecause = readable.endsBecause;
     if (survey.damage) {
-        if (!options.keepGoing) throw *survey.damage;
+        if (!options.keepGoing) {
+            throw std::runtime_error(fmt::format("{}; --keep-going writes what stands before it",
+                                                 survey.damage->what()));
+        }
         endsBecause = survey.damage->what();
     }
     requireScans(options, survey);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderCommand.h"
 
+#include "Guarded.h"
 #include "SharedOptions.h"
 #include "UsageError.h"
 
@@ -72,21 +73,13 @@ int renderGuarded(const RenderOptions& options) {
     if (!options.force && std::filesystem::exists(options.output)) {
         throw std::runtime_error(options.output.string() + " exists already; --force replaces it");
     }
-    const rawlog::GuardedOutcome outcome = rawlog::runGuarded([&](rawlog::GuardedStatus& status) {
-        try {
+    const rawlog::GuardedOutcome outcome =
+        reportingErrorsGuarded([&](rawlog::GuardedStatus& status) {
             render(options, config, map, status);
-            std::fflush(stdout);
             return static_cast<int>(exitDone);
-        } catch (const UsageError& error) {
-            fmt::print(stderr, "offmap: {}\n", error.what());
-            return static_cast<int>(exitUsage);
-        } catch (const std::exception& error) {
-            fmt::print(stderr, "offmap: {}\n", error.what());
-            return static_cast<int>(exitFailed);
-        }
-    });
+        });
     if (outcome.kind == Kind::Finished) return outcome.exitCode;
-    if (outcome.kind == Kind::Interrupted) return 128 + outcome.signal;
+    if (outcome.kind == Kind::Interrupted) return exitCodeOfInterruption(outcome);
     fmt::print(stderr, "offmap: {}\n",
                rawlog::unreadableEntry(options.input, outcome.place.value_or(rawlog::EntryPlace{}),
                                        outcome.cause));

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Guarded.h"
 #include "ReduceCommand.h"
 #include "RenderCommand.h"
 #include "UsageError.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
-#include <exception>
 
 int main(int argc, char** argv) {
     using namespace offmap::app;
@@ -16,16 +14,12 @@ int main(int argc, char** argv) {
     int exitCode = exitDone;
     addReduceCommand(app, exitCode);
     addRenderCommand(app, exitCode);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exitDone : exitUsage;
-    } catch (const UsageError& error) {
-        fmt::print(stderr, "offmap: {}\n", error.what());
-        return exitUsage;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "offmap: {}\n", error.what());
-        return exitFailed;
-    }
-    return exitCode;
+    return reportingErrors([&] {
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return static_cast<int>(app.exit(error) == 0 ? exitDone : exitUsage);
+        }
+        return exitCode;
+    });
 }

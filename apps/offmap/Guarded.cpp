@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Guarded.h"
+
+#include "UsageError.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+namespace offmap::app {
+
+int reportingErrors(const std::function<int()>& work) {
+    try {
+        return work();
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "offmap: {}\n", error.what());
+        return exitUsage;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "offmap: {}\n", error.what());
+        return exitFailed;
+    }
+}
+
+rawlog::GuardedOutcome reportingErrorsGuarded(
+    const std::function<int(rawlog::GuardedStatus&)>& work) {
+    return rawlog::runGuarded([&work](rawlog::GuardedStatus& status) {
+        return reportingErrors([&] { return work(status); });
+    });
+}
+
+int exitCodeOfInterruption(const rawlog::GuardedOutcome& outcome) {
+    constexpr int firstSignal = 128;
+    fmt::print(stderr, "offmap: interrupted; nothing was written\n");
+    return firstSignal + outcome.signal;
+}
+
+}  // namespace offmap::app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/rawlog/GuardedRun.h>
+
+#include <functional>
+
+namespace offmap::app {
+
+/// Does the work and turns what it throws into a message on stderr and an exit code.
+int reportingErrors(const std::function<int()>& work);
+
+/// The same in a child of this program, which survives what corrupt logs do to their reader. The
+/// outcome's kind tells whether the work came to its end.
+rawlog::GuardedOutcome reportingErrorsGuarded(
+    const std::function<int(rawlog::GuardedStatus&)>& work);
+
+/// As a shell tells a program that a signal ended; says that nothing was written.
+int exitCodeOfInterruption(const rawlog::GuardedOutcome& outcome);
+
+}  // namespace offmap::app
