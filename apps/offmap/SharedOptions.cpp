@@ -151,7 +151,8 @@ ChosenPoses choosePoses(const SharedOptions& options, const rawlog::Config& conf
     }
     return {
         std::make_unique<rawlog::PoseTrack>(chosen->second, config.pose.maxAge),
-        fmt::format("{}: {} robot poses", chosen->first, rawlog::grouped(chosen->second.size()))};
+        fmt::format("{}: {} robot pose{}", chosen->first, rawlog::grouped(chosen->second.size()),
+                    chosen->second.size() == 1 ? "" : "s")};
 }
 
 }  // namespace offmap::app

@@ -81,6 +81,13 @@ TEST(ReductionTotals, warnsOfWhatSmells) {
     EXPECT_THAT(warningOf(offMap),
                 ElementsAre(HasSubstr("--map-origin"), HasSubstr("no scan could")));
 
+    // Of 40 points whose columns have a pose, 14 were removed: that is not what smells.
+    TurnRecord partly = turnOf(100, 50, 14);
+    partly.columnsWithoutPose = 3;
+    partly.keptByReason[static_cast<size_t>(core::KeepReason::BehindWall)] -= 10;
+    partly.keptByReason[static_cast<size_t>(core::KeepReason::NoPose)] = 10;
+    EXPECT_THAT(warningOf(partly), ElementsAre(HasSubstr("3 of 10 columns")));
+
     ReductionTotals unsupported;
     unsupported.notSupported["HDL-64"] = 3;
     EXPECT_THAT(unsupported.warnings(), ElementsAre(HasSubstr("3 observations")));

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double shortest = 1e-4;  // [ms] lower end of the first bin
 constexpr double binRatio = 1.01;
+constexpr double leastShare = 0.3;  // of the points on vertical segments; less smells
 
 uint64_t sum(const std::map<std::string, uint64_t>& counts) {
     uint64_t total = 0;
@@ -82,17 +83,24 @@ std::vector<std::string> ReductionTotals::warnings() const {
         return out;
     }
     if (scans == 0 || counts.returns == 0) return out;
+    const uint64_t withoutPose = keptByReason[static_cast<size_t>(core::KeepReason::NoPose)];
+    const auto matchable = static_cast<double>(onVerticalSegments - withoutPose);
+    if (columnsWithoutPose > 0) {
+        out.emplace_back(fmt::format(
+            "{} of {} columns have no pose that could be used; all of their points were kept",
+            columnsWithoutPose, columns));
+    }
     if (onVerticalSegments == 0) {
         out.emplace_back(
-            "no vertical segment was found: for a scanner with few rings raise vertical.max_gap_m "
-            "and lower vertical.min_points (see config/vlp16.yaml)");
+            "no vertical segment was found: for a scanner with few rings raise "
+            "vertical.max_gap_m and lower vertical.min_points (see config/vlp16.yaml)");
     } else if (removed() == 0) {
         out.emplace_back("nothing was removed: check that the map and the poses share one frame");
-    } else if (static_cast<double>(removed()) < 0.3 * static_cast<double>(onVerticalSegments)) {
-        out.emplace_back(fmt::format(
-            "only {:.1f} % of the points on vertical segments were removed: check the poses "
-            "against the map",
-            100.0 * static_cast<double>(removed()) / static_cast<double>(onVerticalSegments)));
+    } else if (static_cast<double>(removed()) < leastShare * matchable) {
+        out.emplace_back(
+            fmt::format("only {:.1f} % of the points on vertical segments were removed: "
+                        "check the poses against the map",
+                        100 * static_cast<double>(removed()) / matchable));
     }
     return out;
 }
