@@ -189,22 +189,29 @@ TEST(SplitAndMerge, rigidMotionChangesNoPiece) {
     }
 }
 
-TEST(SplitAndMerge, reversalMovesNoBoundaryByMoreThanTheCorner) {
-    auto points = line({0, 0}, {2, 0}, 20);
-    addLine(points, {2, 0}, {2, 2}, 20);
-    addLine(points, {2, 2}, {3, 2.5}, 10);
+TEST(SplitAndMerge, pointsBesideACornerGoToTheNearerLine) {
+    // A wall and the ceiling 3 cm above its last point: within the tolerance of both lines. And the
+    // floor, which ends 3 cm before the wall.
+    auto points = line({0.97, 0}, {1.97, 0}, 10);
+    for (const TPoint2D& p : line({2, 0.1}, {2, 2}, 19)) points.push_back(p);
+    for (const TPoint2D& p : line({1.9, 2.03}, {0.9, 2.03}, 10)) points.push_back(p);
+    EXPECT_EQ(rangesOf(piecesOf(points)), (Ranges{{0, 11}, {11, 31}, {31, 42}}));
+}
+
+TEST(SplitAndMerge, reversalChangesNoPiece) {
+    auto points = line({0, 0}, {1.97, 0}, 20);
+    for (const TPoint2D& p : line({2, 0.08}, {2, 2}, 20)) points.push_back(p);
+    for (const TPoint2D& p : line({2.07, 2.07}, {3, 2.7}, 10)) points.push_back(p);
     for (const TPoint2D& p : line({5, 2}, {5, 4}, 20)) points.push_back(p);
     const auto forward = rangesOf(piecesOf(points));
+    EXPECT_EQ(forward.size(), 4u);
     std::reverse(points.begin(), points.end());
-    auto backward = rangesOf(piecesOf(points));
-    std::reverse(backward.begin(), backward.end());
-    ASSERT_EQ(forward.size(), 4u);
-    ASSERT_EQ(backward.size(), 4u);
-    const auto count = static_cast<int>(points.size());
-    for (size_t i = 0; i < 4; ++i) {
-        EXPECT_NEAR(int(forward[i].first), count - int(backward[i].second), 1);
-        EXPECT_NEAR(int(forward[i].second), count - int(backward[i].first), 1);
+    Ranges backward;
+    for (const auto& [begin, end] : rangesOf(piecesOf(points))) {
+        const auto count = static_cast<uint32_t>(points.size());
+        backward.insert(backward.begin(), {count - end, count - begin});
     }
+    EXPECT_EQ(backward, forward);
 }
 
 TEST(SplitAndMerge, scratchCarriesNothingOver) {

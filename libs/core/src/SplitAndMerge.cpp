@@ -44,6 +44,10 @@ uint32_t strayPoint(Points points, const Run& run, const FittedLine& line, doubl
     return stray;
 }
 
+bool keepsTolerance(Points points, const LinePiece& piece, double maxPointToLine) {
+    return strayPoint(points, {piece.begin, piece.end}, piece.line, maxPointToLine) == piece.end;
+}
+
 /// Runs without gaps, the last one on top.
 void cutAtGaps(Points points, double maxGap, std::vector<Run>& runs) {
     runs.clear();
@@ -64,12 +68,33 @@ void append(Points points, LinePiece piece, const SplitAndMergeConfig& config,
         both.end = piece.end;
         both.fit.add(piece.fit);
         both.line = both.fit.line();
-        const Run run{both.begin, both.end};
-        if (strayPoint(points, run, both.line, config.maxPointToLine) != run.end) break;
+        if (!keepsTolerance(points, both, config.maxPointToLine)) break;
         pieces.pop_back();
         piece = both;
     }
     pieces.push_back(piece);
+}
+
+/// Splitting gives the points beside a corner to one piece or the other as the order has it. Moves
+/// the seam of two pieces, so that each point there belongs to the line it is nearer to.
+void settleSeam(Points points, const SplitAndMergeConfig& config, LinePiece& first,
+                LinePiece& second) {
+    uint32_t seam = first.end;
+    if (isGap(points[seam - 1], points[seam], config.maxGap)) return;
+    const auto claims = [&](const LinePiece& piece, const LinePiece& other, uint32_t i) {
+        return piece.end - piece.begin >= config.minPoints &&
+               piece.line.distance(points[i]) < other.line.distance(points[i]);
+    };
+    while (seam + 1 < second.end && claims(first, second, seam)) ++seam;
+    while (seam - 1 > first.begin && claims(second, first, seam - 1)) --seam;
+    if (seam == first.end) return;
+    const LinePiece before = pieceOf(points, {first.begin, seam});
+    const LinePiece after = pieceOf(points, {seam, second.end});
+    if (keepsTolerance(points, before, config.maxPointToLine) &&
+        keepsTolerance(points, after, config.maxPointToLine)) {
+        first = before;
+        second = after;
+    }
 }
 
 bool longEnough(Points points, const LinePiece& piece, const SplitAndMergeConfig& config) {
@@ -106,6 +131,9 @@ std::span<const LinePiece> splitAndMerge(Points points, const SplitAndMergeConfi
         at = std::max(at, run.begin + 1);
         pending.push_back({at, run.end});
         pending.push_back({run.begin, at});
+    }
+    for (size_t i = 1; i < pieces.size(); ++i) {
+        settleSeam(points, config, pieces[i - 1], pieces[i]);
     }
     std::erase_if(pieces,
                   [&](const LinePiece& piece) { return !longEnough(points, piece, config); });

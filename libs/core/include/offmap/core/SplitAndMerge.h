@@ -36,8 +36,9 @@ struct SplitAndMergeScratch {
 
 /// Straight pieces of an ordered list of points, in its order and disjoint: the list is cut at
 /// gaps, a run is split at the point furthest from the chord of its ends until all are near it, and
-/// neighbouring pieces are merged while one fitted line serves both (section 2: Borges 2000, Nguyen
-/// 2005). \return valid until the scratch is used again
+/// neighbouring pieces are merged while one fitted line serves both; then each point beside the
+/// seam of two pieces goes to the nearer line (section 2: Borges 2000, Nguyen 2005). \return valid
+/// until the scratch is used again
 std::span<const LinePiece> splitAndMerge(std::span<const mrpt::math::TPoint2D> points,
                                          const SplitAndMergeConfig& config,
                                          SplitAndMergeScratch& scratch);
