@@ -91,6 +91,8 @@ TEST(ReductionTotals, warnsOfWhatSmells) {
     ReductionTotals unsupported;
     unsupported.notSupported["HDL-64"] = 3;
     EXPECT_THAT(unsupported.warnings(), ElementsAre(HasSubstr("3 observations")));
+    EXPECT_THAT(ReductionTotals().warnings(), ElementsAre(HasSubstr("holds no 3D scan")));
+    EXPECT_THAT(warningOf(turnOf(0, 0, 0)), ElementsAre(HasSubstr("no return at all")));
 }
 
 }  // namespace

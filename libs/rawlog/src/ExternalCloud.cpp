@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ShortReason.h"
+
 #include <offmap/rawlog/PointCloudScan.h>
 
 #include <fmt/format.h>
@@ -49,7 +51,7 @@ void loadExternal(Cloud& obs, const fs::path& rawlogFile) {
         loader.load();
     } catch (const std::exception& e) {
         throw std::runtime_error(fmt::format("the point cloud of '{}' cannot be read from '{}': {}",
-                                             obs.sensorLabel, file.string(), e.what()));
+                                             obs.sensorLabel, file.string(), shortReason(e)));
     }
     obs.pointcloud = loader.pointcloud;
     obs.overrideExternalStorageFormatFlag(Cloud::ExternalStorageFormat::None);

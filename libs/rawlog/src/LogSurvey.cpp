@@ -21,7 +21,7 @@ void see(LogSurvey& survey, const CObservation& obs) {
         return;
     }
     SensorSurvey& sensor = survey.sensors[obs.sensorLabel];
-    if (sensor.observations++ == 0) sensor.className = obs.GetRuntimeClass()->className;
+    if (sensor.observations++ == 0) sensor.className = classNameOf(obs);
     if (const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(&obs)) {
         sensor.sweep.see(*scan);
     } else if (scanClassOf(obs)) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ShortReason.h"
+
+#include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/RegisterClasses.h>
 
@@ -19,24 +22,6 @@ InputFile opened(const std::filesystem::path& file) {
     } catch (const std::runtime_error& e) {
         throw RawlogError(e.what(), {});
     }
-}
-
-// MRPT nests its messages, each with a backtrace and source paths: the innermost message says it.
-std::string shortReason(const std::exception& error) {
-    if (dynamic_cast<const std::bad_alloc*>(&error)) return "a size in it cannot be true";
-    std::string_view text = error.what();
-    for (std::string_view mark : {"Original exception:", "Message:"}) {
-        const size_t at = text.rfind(mark);
-        if (at != std::string_view::npos) text.remove_prefix(at + mark.size());
-    }
-    text.remove_prefix(std::min(text.find_first_not_of(" \n"), text.size()));
-    constexpr size_t longest = 160;
-    std::string reason(text.substr(0, std::min(text.find('\n'), longest)));
-    while (!reason.empty() && std::strchr(".!", reason.back())) reason.pop_back();
-    for (char& c : reason) {
-        if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
-    }
-    return reason;
 }
 
 // An object begins with the length of its class name, the highest bit set, and the name; before
@@ -104,8 +89,8 @@ mrpt::serialization::CSerializable::Ptr RawlogReader::readObject() {
         fail(stream_.cameShort() ? "the file ends inside it" : shortReason(e));
     }
     if (place_.index == 0 && !belongsInRawlog(object.get())) {
-        throw RawlogError(file_.string() + " is not a rawlog: it holds a " +
-                              object->GetRuntimeClass()->className + "; name a .rawlog file",
+        throw RawlogError(file_.string() + " is not a rawlog: it holds a " + classNameOf(*object) +
+                              "; name a .rawlog file",
                           place_);
     }
     return object;

@@ -82,7 +82,16 @@ std::vector<std::string> ReductionTotals::warnings() const {
         out.emplace_back("no scan could be reduced; all points were kept");
         return out;
     }
-    if (scans == 0 || counts.returns == 0) return out;
+    if (scans == 0) {
+        if (notSupported.empty()) {
+            out.emplace_back("the log holds no 3D scan that could be reduced; it was copied");
+        }
+        return out;
+    }
+    if (counts.returns == 0) {
+        out.emplace_back("the scans hold no return at all; check how the log was recorded");
+        return out;
+    }
     const uint64_t withoutPose = keptByReason[static_cast<size_t>(core::KeepReason::NoPose)];
     const auto matchable = static_cast<double>(onVerticalSegments - withoutPose);
     if (columnsWithoutPose > 0) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/TurnReducer.h>
 
 #include <algorithm>
@@ -105,7 +106,7 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     out.record.counts = out.organized.counts;
     out.record.time = turn.front()->timestamp;
     out.record.label = turn.front()->sensorLabel;
-    out.record.className = turn.front()->GetRuntimeClass()->className;
+    out.record.className = classNameOf(*turn.front());
     record(out.organized, *result_, out.record);
     return out;
 }

@@ -7,8 +7,15 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 
 namespace offmap::rawlog {
+
+/// The name of its class without namespaces, as MRPT's own programs show it.
+inline std::string classNameOf(const mrpt::rtti::CObject& object) {
+    const std::string name = object.GetRuntimeClass()->className;
+    return name.substr(name.rfind(':') + 1);
+}
 
 /// Calls visit(observation, position) for the observation that a rawlog entry is, or for every one
 /// of the sensory frame that it is.
