@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Guarded.h"
 
+#include "Console.h"
 #include "UsageError.h"
-
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
@@ -14,10 +13,10 @@ int reportingErrors(const std::function<int()>& work) {
     try {
         return work();
     } catch (const UsageError& error) {
-        fmt::print(stderr, "offmap: {}\n", error.what());
+        say(stderr, "offmap: {}\n", error.what());
         return exitUsage;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "offmap: {}\n", error.what());
+        say(stderr, "offmap: {}\n", error.what());
         return exitFailed;
     }
 }
@@ -31,7 +30,7 @@ rawlog::GuardedOutcome reportingErrorsGuarded(
 
 int exitCodeOfInterruption(const rawlog::GuardedOutcome& outcome) {
     constexpr int firstSignal = 128;
-    fmt::print(stderr, "offmap: interrupted; nothing was written\n");
+    say(stderr, "offmap: interrupted; nothing was written\n");
     return firstSignal + outcome.signal;
 }
 

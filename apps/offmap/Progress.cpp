@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
+#include "Console.h"
+
 #include <offmap/rawlog/GroupedDigits.h>
 
 #include <fmt/format.h>
@@ -46,16 +48,15 @@ void Progress::tell(double share, uint64_t scans, double logSeconds) {
         fmt::format("{} scans  {:.0f} scans/s  {:.0f}x real time  ETA {}", rawlog::grouped(scans),
                     static_cast<double>(scans) / seconds, logSeconds / seconds, minutes(left));
     if (terminal_) {
-        fmt::print(stderr, "\r[{}] {:3.0f} %  {}\x1b[K", bar(share), 100 * share, figures);
+        say(stderr, "\r[{}] {:3.0f} %  {}\x1b[K", bar(share), 100 * share, figures);
     } else {
-        fmt::print(stderr, "{:.0f} %  {}\n", 100 * share, figures);
+        say(stderr, "{:.0f} %  {}\n", 100 * share, figures);
     }
-    std::fflush(stderr);
     drawn_ = terminal_;
 }
 
 void Progress::clear() {
-    if (drawn_) fmt::print(stderr, "\r\x1b[K");
+    if (drawn_) say(stderr, "\r\x1b[K");
     drawn_ = false;
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceCommand.h"
 
+#include "Console.h"
 #include "Guarded.h"
 #include "ReduceJob.h"
 #include "UsageError.h"
 
 #include <offmap/rawlog/EntryPlace.h>
 #include <offmap/rawlog/GuardedRun.h>
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -27,10 +26,13 @@ int reduceGuarded(const ReduceOptions& options, const rawlog::Config& config,
     if (outcome.kind == Kind::Interrupted) return exitCodeOfInterruption(outcome);
     const std::string what = rawlog::unreadableEntry(
         options.input, outcome.place.value_or(rawlog::EntryPlace{}), outcome.cause);
-    if (options.keepGoing && outcome.place && outcome.place->index < readable.entries) {
-        return reduceGuarded(options, config, map, {outcome.place->index, what});
+    const uint64_t readableEntries = outcome.place ? outcome.place->index : 0;
+    if (options.keepGoing && readableEntries > 0 && readableEntries < readable.entries) {
+        return reduceGuarded(options, config, map, {readableEntries, what});
     }
-    fmt::print(stderr, "offmap: {}; --keep-going writes what stands before it\n", what);
+    const bool keepGoingHelps = !options.keepGoing && readableEntries > 0;
+    say(stderr, "offmap: {}{}\n", what,
+        keepGoingHelps ? "; --keep-going writes what stands before it" : "");
     return exitFailed;
 }
 

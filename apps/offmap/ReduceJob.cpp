@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceJob.h"
 
+#include "Console.h"
 #include "Progress.h"
 #include "SummaryText.h"
 #include "UsageError.h"
@@ -15,6 +16,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -42,14 +44,22 @@ struct Outputs {
     std::optional<rawlog::ReportFile> report;
 };
 
-void requireScans(const ReduceOptions& options, const rawlog::LogSurvey& survey) {
-    for (const std::string& label : options.sensors) {
-        if (survey.sensors.contains(label)) continue;
-        std::vector<std::string> labels;
-        for (const auto& [known, sensor] : survey.sensors) labels.push_back(known);
-        throw UsageError(fmt::format("{} has no sensor labelled '{}'; it has: {}",
-                                     options.input.string(), label, fmt::join(labels, ", ")));
+/// \throw UsageError if a sensor that was asked for has no scan that could be reduced
+void requireSensors(const ReduceOptions& options, const rawlog::LogSurvey& survey) {
+    std::vector<std::string> known;
+    for (const auto& [label, sensor] : survey.sensors) {
+        if (sensor.scans3d) known.push_back(label);
     }
+    for (const std::string& label : options.sensors) {
+        if (std::ranges::count(known, label) > 0) continue;
+        throw UsageError(
+            fmt::format("{} holds no 3D scan labelled '{}' that could be reduced; it holds: {}",
+                        options.input.string(), label,
+                        known.empty() ? "none at all" : fmt::format("{}", fmt::join(known, ", "))));
+    }
+}
+
+void requireScans(const ReduceOptions& options, const rawlog::LogSurvey& survey) {
     if (survey.holdsScans() || options.keepGoing) return;
     std::vector<std::string> seen;
     for (const auto& [label, sensor] : survey.sensors) {
@@ -58,8 +68,8 @@ void requireScans(const ReduceOptions& options, const rawlog::LogSurvey& survey)
     }
     throw std::runtime_error(
         fmt::format("{} holds no 3D scan that could be reduced, only: {}; a VLP-16, a point cloud "
-                    "or a 2D scanner that "
-                    "turns about the vertical is needed (--keep-going copies the log)",
+                    "or a 2D scanner that turns about the vertical is needed (--keep-going copies "
+                    "the log)",
                     options.input.string(),
                     seen.empty() ? "no observation" : fmt::format("{}", fmt::join(seen, ", "))));
 }
@@ -142,19 +152,20 @@ int reduceLog(const ReduceOptions& options, const rawlog::Config& config, const 
         rawlog::surveyLog(reader, readable.entries, [&] { status.atEntry(reader.place()); });
     std::string endsBecause = readable.endsBecause;
     if (survey.damage) {
+        if (survey.entries == 0) throw *survey.damage;
         if (!options.keepGoing) {
             throw std::runtime_error(fmt::format("{}; --keep-going writes what stands before it",
                                                  survey.damage->what()));
         }
         endsBecause = survey.damage->what();
     }
+    requireSensors(options, survey);
     requireScans(options, survey);
     const ChosenPoses poses =
         choosePoses(options.shared, config, options.input, survey, options.keepGoing);
     if (!options.quiet) {
-        fmt::print("map     {}\nposes   {}\n", describe(map, options.shared.map.string()),
-                   poses.description);
-        std::fflush(stdout);
+        say(stdout, "map     {}\nposes   {}\n", describe(map, options.shared.map.string()),
+            poses.description);
     }
 
     if (outputs.report) outputs.report->begin(reportHead(options, config, map, poses));
@@ -171,11 +182,10 @@ int reduceLog(const ReduceOptions& options, const rawlog::Config& config, const 
 
     if (!options.quiet) {
         const std::chrono::duration<double> took = SteadyClock::now() - begin;
-        fmt::print("{}wrote   {} ({}, was {})\n", summaryOf(totals, took.count()),
-                   options.output.string(), size(options.output), size(options.input));
-        std::fflush(stdout);
+        say(stdout, "{}wrote   {} ({}, was {})\n", summaryOf(totals, took.count()),
+            options.output.string(), size(options.output), size(options.input));
     }
-    for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const std::string& warning : warnings) say(stderr, "warning: {}\n", warning);
     const bool all = totals.scansNotReduced() == 0 && totals.observationsNotSupported() == 0 &&
                      totals.columnsWithoutPose == 0 && totals.scans > 0;
     return options.strict && !all ? exitNotReduced : exitDone;

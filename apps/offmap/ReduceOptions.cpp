@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceOptions.h"
 
-#include "UsageError.h"
-
-#include <fmt/format.h>
+#include "NamedFiles.h"
 
 #include <utility>
 
 namespace offmap::app {
-
-namespace {
-
-bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(a, b, ignored)) return true;
-    return std::filesystem::weakly_canonical(a, ignored) ==
-           std::filesystem::weakly_canonical(b, ignored);
-}
-
-}  // namespace
 
 void ReduceOptions::addTo(CLI::App& command) {
     command.add_option("input", input, "Rawlog to reduce; it is only read")
@@ -46,19 +33,12 @@ void ReduceOptions::addTo(CLI::App& command) {
 }
 
 void ReduceOptions::checkFiles() const {
-    const std::vector<std::pair<std::string, std::filesystem::path>> files{
-        {"IN", input},        {"OUT", output},       {"--removed", removed},
-        {"--report", report}, {"--map", shared.map}, {"--config", shared.config}};
-    for (size_t a = 0; a < files.size(); ++a) {
-        for (size_t b = a + 1; b < files.size(); ++b) {
-            if (files[a].second.empty() || files[b].second.empty()) continue;
-            if (sameFile(files[a].second, files[b].second)) {
-                throw UsageError(fmt::format("{} and {} are the same file, {}; give each its own",
-                                             files[a].first, files[b].first,
-                                             files[b].second.string()));
-            }
-        }
-    }
+    requireDistinct({{"IN", input},
+                     {"OUT", output},
+                     {"--removed", removed},
+                     {"--report", report},
+                     {"--map", shared.map},
+                     {"--config", shared.config}});
 }
 
 }  // namespace offmap::app

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderCommand.h"
 
+#include "Console.h"
 #include "Guarded.h"
+#include "NamedFiles.h"
 #include "SharedOptions.h"
 #include "UsageError.h"
 
@@ -63,11 +65,15 @@ void render(const RenderOptions& options, const rawlog::Config& config, const co
     figure.fallbackSensorInMap = mrpt::poses::CPose3D();
     view::writePng(view::figureOf(reduced.organized.scan, reducer.result(), map, figure),
                    options.output);
-    fmt::print("wrote   {}\n", options.output.string());
+    say(stdout, "wrote   {}\n", options.output.string());
 }
 
 int renderGuarded(const RenderOptions& options) {
     using Kind = rawlog::GuardedOutcome::Kind;
+    requireDistinct({{"IN", options.input},
+                     {"OUT", options.output},
+                     {"--map", options.shared.map},
+                     {"--config", options.shared.config}});
     const rawlog::Config config = options.shared.readConfig();
     const core::LineMap map = options.shared.readMap(config);
     if (!options.force && std::filesystem::exists(options.output)) {
@@ -80,9 +86,9 @@ int renderGuarded(const RenderOptions& options) {
         });
     if (outcome.kind == Kind::Finished) return outcome.exitCode;
     if (outcome.kind == Kind::Interrupted) return exitCodeOfInterruption(outcome);
-    fmt::print(stderr, "offmap: {}\n",
-               rawlog::unreadableEntry(options.input, outcome.place.value_or(rawlog::EntryPlace{}),
-                                       outcome.cause));
+    say(stderr, "offmap: {}\n",
+        rawlog::unreadableEntry(options.input, outcome.place.value_or(rawlog::EntryPlace{}),
+                                outcome.cause));
     return exitFailed;
 }
 

@@ -52,6 +52,10 @@ mrpt::math::TPose2D parsePose(const std::string& text, std::string_view option) 
     return {numbers[0], numbers[1], mrpt::DEG2RAD(numbers[2])};
 }
 
+/// An option whose value was meant to come from a variable that is not set, must not count as not
+/// given.
+std::string notEmpty(const std::string& value) { return value.empty() ? "is empty" : ""; }
+
 template <class Map>
 std::string keysOf(const Map& map) {
     std::vector<std::string> keys;
@@ -69,7 +73,8 @@ void SharedOptions::addTo(CLI::App& command) {
     command
         .add_option("--map-origin", mapOrigin,
                     "Where the map's origin stands in the frame of the poses")
-        ->type_name("X,Y,YAW_DEG");
+        ->type_name("X,Y,YAW_DEG")
+        ->check(notEmpty);
     command.add_option("--method", method, "Matching method: paper (matching.method)")
         ->type_name("METHOD");
     command.add_option("--config", config, "Parameters; what is not set keeps its default")
@@ -79,12 +84,15 @@ void SharedOptions::addTo(CLI::App& command) {
         ->allow_extra_args(false);
     auto* label =
         command.add_option("--pose-label", poseLabel, "Robot poses to use, if a log has several")
-            ->type_name("LABEL");
+            ->type_name("LABEL")
+            ->check(notEmpty);
     command.add_option("--pose", pose, "One pose for the whole log, instead of the log's own")
         ->type_name("X,Y,YAW_DEG")
+        ->check(notEmpty)
         ->excludes(label);
     command.add_option("--pose-sigma", poseSigma, "Standard deviations of --pose (0.05,1)")
         ->type_name("M,DEG")
+        ->check(notEmpty)
         ->needs("--pose");
 }
 
