@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/maps/CPointsMap.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationVelodyneScan.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace offmap::test {
+
+/// A return as its observation encodes it: (packet, block, slot, distance, intensity) of a
+/// Velodyne, (ray, range) of a 2D scan, (x, y, z, intensity) of a cloud.
+using Return = std::array<double, 5>;
+
+/// The returns of an observation, sorted.
+inline std::vector<Return> returnsOf(const mrpt::obs::CObservation& obs) {
+    std::vector<Return> returns;
+    if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs)) {
+        for (size_t i = 0; i < scan->getScanSize(); ++i) {
+            if (!scan->getScanRangeValidity(i)) continue;
+            returns.push_back({static_cast<double>(i), scan->getScanRange(i)});
+        }
+    } else if (const auto* turn = dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&obs)) {
+        for (size_t p = 0; p < turn->scan_packets.size(); ++p) {
+            for (size_t b = 0; b < 12; ++b) {
+                for (size_t s = 0; s < 32; ++s) {
+                    const auto& hit = turn->scan_packets[p].blocks[b].laser_returns[s];
+                    if (hit.distance() == 0) continue;
+                    returns.push_back({static_cast<double>(p), static_cast<double>(b),
+                                       static_cast<double>(s), static_cast<double>(hit.distance()),
+                                       static_cast<double>(hit.intensity())});
+                }
+            }
+        }
+    } else if (const auto* cloud = dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&obs)) {
+        for (size_t i = 0; i < cloud->pointcloud->size(); ++i) {
+            float x = 0, y = 0, z = 0, intensity = 0, unused = 0;
+            cloud->pointcloud->getPointRGB(i, x, y, z, intensity, unused, unused);
+            returns.push_back({x, y, z, intensity});
+        }
+    }
+    std::sort(returns.begin(), returns.end());
+    return returns;
+}
+
+/// Both together, sorted; a return in both is there twice.
+inline std::vector<Return> together(const std::vector<Return>& a, const std::vector<Return>& b) {
+    std::vector<Return> all;
+    std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+    return all;
+}
+
+inline bool is3dScan(const mrpt::obs::CObservation& obs) {
+    if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs)) {
+        return !scan->isPlanarScan(0.1);
+    }
+    return dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&obs) ||
+           dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&obs);
+}
+
+}  // namespace offmap::test
