@@ -2,6 +2,7 @@
 #include "Guarded.h"
 
 #include "Console.h"
+#include "Progress.h"
 #include "UsageError.h"
 
 #include <cstdio>
@@ -23,9 +24,11 @@ int reportingErrors(const std::function<int()>& work) {
 
 rawlog::GuardedOutcome reportingErrorsGuarded(
     const std::function<int(rawlog::GuardedStatus&)>& work) {
-    return rawlog::runGuarded([&work](rawlog::GuardedStatus& status) {
+    auto outcome = rawlog::runGuarded([&work](rawlog::GuardedStatus& status) {
         return reportingErrors([&] { return work(status); });
     });
+    if (outcome.kind != rawlog::GuardedOutcome::Kind::Finished) Progress::clearLeftover();
+    return outcome;
 }
 
 int exitCodeOfInterruption(const rawlog::GuardedOutcome& outcome) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <unistd.h>
 
@@ -19,7 +20,7 @@ constexpr std::chrono::milliseconds betweenDrawings{100};
 constexpr std::chrono::seconds betweenLines{10};
 
 std::string minutes(double seconds) {
-    const auto whole = static_cast<long>(seconds + 0.5);
+    const auto whole = std::lround(seconds);
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
@@ -38,15 +39,28 @@ Progress::Progress(bool quiet)
       next_(Clock::now() + (terminal_ ? std::chrono::milliseconds(300)
                                       : std::chrono::milliseconds(betweenLines))) {}
 
+void Progress::tellSurvey(double share) {
+    if (due()) draw(share, "read for poses and sensors");
+}
+
 void Progress::tell(double share, uint64_t scans, double logSeconds) {
-    const auto now = Clock::now();
-    if (quiet_ || now < next_) return;
-    next_ = now + (terminal_ ? betweenDrawings : std::chrono::milliseconds(betweenLines));
-    const double seconds = std::chrono::duration<double>(now - start_).count();
+    if (!due()) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     const double left = share > 0 ? seconds * (1 - share) / share : 0;
-    const std::string figures =
-        fmt::format("{} scans  {:.0f} scans/s  {:.0f}x real time  ETA {}", rawlog::grouped(scans),
-                    static_cast<double>(scans) / seconds, logSeconds / seconds, minutes(left));
+    const std::string realTime =
+        logSeconds > 0 ? fmt::format("  {:.0f}x real time", logSeconds / seconds) : "";
+    draw(share, fmt::format("{} scans  {:.0f} scans/s{}  ETA {}", rawlog::grouped(scans),
+                            static_cast<double>(scans) / seconds, realTime, minutes(left)));
+}
+
+bool Progress::due() {
+    const auto now = Clock::now();
+    if (quiet_ || now < next_) return false;
+    next_ = now + (terminal_ ? betweenDrawings : std::chrono::milliseconds(betweenLines));
+    return true;
+}
+
+void Progress::draw(double share, const std::string& figures) {
     if (terminal_) {
         say(stderr, "\r[{}] {:3.0f} %  {}\x1b[K", bar(share), 100 * share, figures);
     } else {
@@ -56,8 +70,12 @@ void Progress::tell(double share, uint64_t scans, double logSeconds) {
 }
 
 void Progress::clear() {
-    if (drawn_) say(stderr, "\r\x1b[K");
+    if (drawn_) clearLeftover();
     drawn_ = false;
+}
+
+void Progress::clearLeftover() {
+    if (isatty(STDERR_FILENO) == 1) say(stderr, "\r\x1b[K");
 }
 
 }  // namespace offmap::app

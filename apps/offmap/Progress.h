@@ -17,12 +17,19 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// \param share [0, 1] of the log that has been read to find its poses
+    void tellSurvey(double share);
     /// \param share [0, 1] of the task that is done \param logSeconds [s] of the log that is done
     void tell(double share, uint64_t scans, double logSeconds);
     /// Takes the line off the terminal.
     void clear();
+    /// The same for a line that another process has drawn.
+    static void clearLeftover();
 
  private:
+    void draw(double share, const std::string& figures);
+    bool due();
+
     using Clock = std::chrono::steady_clock;
 
     bool terminal_, quiet_, drawn_ = false;

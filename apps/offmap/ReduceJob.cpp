@@ -63,8 +63,8 @@ void requireScans(const ReduceOptions& options, const rawlog::LogSurvey& survey)
     if (survey.holdsScans() || options.keepGoing) return;
     std::vector<std::string> seen;
     for (const auto& [label, sensor] : survey.sensors) {
-        seen.push_back(fmt::format("{} ({} x {})", label, rawlog::grouped(sensor.observations),
-                                   sensor.className));
+        seen.push_back(fmt::format("{} ({} x {})", label.empty() ? "no label" : label,
+                                   rawlog::grouped(sensor.observations), sensor.className));
     }
     throw std::runtime_error(
         fmt::format("{} holds no 3D scan that could be reduced, only: {}; a VLP-16, a point cloud "
@@ -87,6 +87,30 @@ ordered_json reportHead(const ReduceOptions& options, const rawlog::Config& conf
     head["poses"] = poses.description;
     head["parameters"] = parameters;
     return head;
+}
+
+struct SurveyedLog {
+    rawlog::LogSurvey survey;
+    std::string endsBecause;  ///< as in ReadableLog
+};
+
+/// Reads the log a first time. \throw std::runtime_error if it is damaged and not to be read on
+SurveyedLog readFirst(const ReduceOptions& options, const ReadableLog& readable,
+                      rawlog::GuardedStatus& status) {
+    Progress progress(options.quiet);
+    rawlog::RawlogReader reader(options.input);
+    const auto size = static_cast<double>(reader.compressedSize());
+    SurveyedLog log;
+    log.survey = rawlog::surveyLog(reader, readable.entries, [&] {
+        status.atEntry(reader.place());
+        progress.tellSurvey(static_cast<double>(reader.compressedPosition()) / size);
+    });
+    log.endsBecause = readable.endsBecause;
+    if (!log.survey.damage) return log;
+    if (log.survey.entries == 0) throw *log.survey.damage;
+    log.endsBecause = log.survey.damage->what();
+    if (options.keepGoing) return log;
+    throw std::runtime_error(log.endsBecause + "; --keep-going writes what stands before it");
 }
 
 /// Reads the log a second time and writes the outputs, which then are complete but not yet
@@ -146,19 +170,8 @@ int reduceLog(const ReduceOptions& options, const rawlog::Config& config, const 
               const ReadableLog& readable, rawlog::GuardedStatus& status) {
     const auto begin = SteadyClock::now();
     rawlog::registerMrptClasses();
-    rawlog::RawlogReader reader(options.input);
     Outputs outputs(options, status);
-    const rawlog::LogSurvey survey =
-        rawlog::surveyLog(reader, readable.entries, [&] { status.atEntry(reader.place()); });
-    std::string endsBecause = readable.endsBecause;
-    if (survey.damage) {
-        if (survey.entries == 0) throw *survey.damage;
-        if (!options.keepGoing) {
-            throw std::runtime_error(fmt::format("{}; --keep-going writes what stands before it",
-                                                 survey.damage->what()));
-        }
-        endsBecause = survey.damage->what();
-    }
+    const auto [survey, endsBecause] = readFirst(options, readable, status);
     requireSensors(options, survey);
     requireScans(options, survey);
     const ChosenPoses poses =

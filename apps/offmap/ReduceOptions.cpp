@@ -8,9 +8,9 @@
 namespace offmap::app {
 
 void ReduceOptions::addTo(CLI::App& command) {
-    command.add_option("input", input, "Rawlog to reduce; it is only read")
+    command.add_option("IN", input, "Rawlog to reduce; it is only read")
         ->required()
-        ->type_name("IN");
+        ->type_name("FILE");
     command.add_option("-o,--out", output, "Reduced rawlog")->required()->type_name("OUT");
     shared.addTo(command);
     command.add_option("--removed", removed, "Rawlog of what was removed; with OUT it makes up IN")

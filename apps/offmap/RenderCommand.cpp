@@ -34,7 +34,7 @@ struct RenderOptions {
     bool force = false;
 
     void addTo(CLI::App& command) {
-        command.add_option("input", input, "Rawlog; it is only read")->required()->type_name("IN");
+        command.add_option("IN", input, "Rawlog; it is only read")->required()->type_name("FILE");
         command.add_option("-o,--out", output, "Picture")->required()->type_name("F.png");
         shared.addTo(command);
         command
@@ -74,6 +74,9 @@ int renderGuarded(const RenderOptions& options) {
                      {"OUT", options.output},
                      {"--map", options.shared.map},
                      {"--config", options.shared.config}});
+    if (options.output.extension() != ".png") {
+        throw UsageError(options.output.string() + ": the picture is a PNG; name it so, .png");
+    }
     const rawlog::Config config = options.shared.readConfig();
     const core::LineMap map = options.shared.readMap(config);
     if (!options.force && std::filesystem::exists(options.output)) {

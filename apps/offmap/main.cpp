@@ -6,18 +6,24 @@
 #include "UsageError.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <string>
 #include <vector>
 
 namespace {
 
-/// CLI11 says that a subcommand is missing, but not that the word given is none.
-void checkSubcommand(const CLI::App& app) {
-    const std::vector<std::string> unknown = app.remaining();
-    if (!app.get_subcommands().empty() || unknown.empty() || unknown[0].starts_with('-')) return;
-    throw offmap::app::UsageError("there is no subcommand '" + unknown[0] +
-                                  "'; offmap --help lists them");
+/// What is wrong with the command line, and where help is to be had.
+std::string usageMessage(const CLI::App* app, const CLI::Error& error) {
+    const auto subcommands = app->get_subcommands();
+    if (!subcommands.empty()) {
+        return fmt::format("offmap: {}; offmap {} --help tells what it takes\n", error.what(),
+                           subcommands.front()->get_name());
+    }
+    const std::vector<std::string> unknown = app->remaining();
+    if (unknown.empty()) return "offmap: a subcommand is needed; offmap --help lists them\n";
+    return fmt::format("offmap: there is no {} '{}'; offmap --help lists them\n",
+                       unknown[0].starts_with('-') ? "option" : "subcommand", unknown[0]);
 }
 
 }  // namespace
@@ -28,6 +34,7 @@ int main(int argc, char** argv) {
     CLI::App app("offmap takes out of a 3D laser scan what a 2D map already knows.", "offmap");
     app.set_version_flag("--version", "offmap " OFFMAP_VERSION);
     app.require_subcommand(1);
+    app.failure_message(usageMessage);
     int exitCode = exitDone;
     addReduceCommand(app, exitCode);
     addRenderCommand(app, exitCode);
@@ -35,7 +42,6 @@ int main(int argc, char** argv) {
         try {
             app.parse(argc, argv);
         } catch (const CLI::ParseError& error) {
-            checkSubcommand(app);
             return static_cast<int>(app.exit(error) == 0 ? exitDone : exitUsage);
         }
         return exitCode;

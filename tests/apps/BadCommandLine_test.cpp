@@ -28,7 +28,7 @@ TEST_F(BadCommandLine, unknownSubcommandIsRefused) {
 TEST_F(BadCommandLine, missingOptionIsNamed) {
     expectRefusal({"reduce", in_, "-o", out_}, 1, HasSubstr("--map is required"));
     expectRefusal({"reduce", in_, "--map", map_}, 1, HasSubstr("--out is required"));
-    expectRefusal({"reduce", "--map", map_, "-o", out_}, 1, HasSubstr("input is required"));
+    expectRefusal({"reduce", "--map", map_, "-o", out_}, 1, HasSubstr("IN is required"));
 }
 
 TEST_F(BadCommandLine, unknownOptionIsNamed) { expectRefused({"--stirct"}, HasSubstr("--stirct")); }

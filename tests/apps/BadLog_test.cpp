@@ -148,6 +148,11 @@ TEST_F(BadLog, logWithout3dScanTellsWhatItHolds) {
                         HasSubstr("--keep-going copies the log")));
 }
 
+TEST_F(BadLog, sensorsWithoutLabelAreToldToo) {
+    in_ = "/usr/share/mrpt/datasets/localization_demo.rawlog";
+    expectRefusal(reduceArguments(), 2, HasSubstr("no label (37 x CObservation2DRangeScan)"));
+}
+
 TEST_F(BadLog, unsupportedScansAreNamedAsSuch) {
     in_ = "/usr/share/mrpt/datasets/rot_scan_2d.rawlog";
     expectRefusal(reduceArguments(), 2,

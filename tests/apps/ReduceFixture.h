@@ -71,7 +71,7 @@ class ReduceFixture : public testing::Test {
         const auto before = content();
         const RunResult run = runOffmap(arguments, options);
         EXPECT_EQ(run.exitCode, exitCode) << testing::PrintToString(run);
-        EXPECT_THAT(run.err, message);
+        EXPECT_THAT(run.err, testing::AllOf(testing::StartsWith("offmap: "), message));
         EXPECT_LT(run.err.size(), 1000U) << "no message that a person would read";
         EXPECT_THAT(run.out, testing::Not(testing::HasSubstr("wrote")));
         EXPECT_EQ(content() == before, true) << "files changed, appeared or are gone";

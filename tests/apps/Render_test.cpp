@@ -54,6 +54,12 @@ TEST_F(Render, missingFolderIsNamed) {
     expectRefusal(arguments, 2, AllOf(HasSubstr(arguments.back()), HasSubstr("folder")));
 }
 
+TEST_F(Render, pictureIsNamedAsWhatItIs) {
+    Arguments arguments = renderArguments();
+    arguments.back() = folder_ / "scan.jpg";
+    expectRefusal(arguments, 1, AllOf(HasSubstr(arguments.back()), HasSubstr(".png")));
+}
+
 TEST_F(Render, inputIsNotReplaced) {
     Arguments arguments = renderArguments({"--force"});
     arguments[5] = in_;
