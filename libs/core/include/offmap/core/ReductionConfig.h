@@ -11,7 +11,7 @@ namespace offmap::core {
 /// Finding the vertical line segments of a column (section 3).
 struct VerticalConfig {
     double maxPointToLine = 0.05;         ///< [m] split-and-merge tolerance
-    double maxTilt = mrpt::DEG2RAD(6.0);  ///< [rad] eta: bound of the tilt gamma
+    double maxTilt = mrpt::DEG2RAD(5.0);  ///< [rad] eta: bound of the tilt gamma
     double maxGap = 0.5;                  ///< [m] between neighbouring returns of a segment
     double minLength = 0.3;               ///< [m] of the segment
     uint32_t minPoints = 4;               ///< returns on the segment
