@@ -30,12 +30,12 @@ function(offmap_add_library name)
   target_link_libraries(offmap_${name} PRIVATE $<BUILD_INTERFACE:offmap_options>)
 endfunction()
 
-# offmap_add_test(NAME LIBS... SOURCES): one GTest binary per tested library.
+# offmap_add_test(NAME [LABEL label] LIBS... SOURCES...): one GTest binary per tested library.
 function(offmap_add_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE offmap_options ${ARG_LIBS} GTest::gtest GTest::gmock)
   target_compile_definitions(${name} PRIVATE OFFMAP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   include(GoogleTest)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS "${ARG_LABEL}")
 endfunction()

@@ -43,6 +43,9 @@ void addReduceCommand(CLI::App& app, int& exitCode) {
         "reduce", "Take out of the 3D scans of a rawlog what the map already knows");
     const auto options = std::make_shared<ReduceOptions>();
     options->addTo(command);
+    command.footer(
+        "Exit codes: 0 done, 1 usage, 2 input or output failed, 3 with --strict: a scan could not "
+        "be reduced");
     command.callback([options, &exitCode] {
         options->checkFiles();
         const rawlog::Config config = options->shared.readConfig();

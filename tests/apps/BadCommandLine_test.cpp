@@ -98,10 +98,10 @@ TEST(CommandLine, helpNamesEveryOption) {
     EXPECT_EQ(reduce.exitCode, 0);
     EXPECT_EQ(reduce.err, "");
     for (const char* option :
-         {"IN",       "--map",        "-o",           "--removed", "--report",
-          "--method", "--config",     "--set",        "--sensor",  "--pose-label",
-          "--pose ",  "--pose-sigma", "--map-origin", "--output",  "same",
-          "points",   "--strict",     "--keep-going", "--force",   "--quiet"}) {
+         {"IN",           "--map",    "-o",        "--removed",    "--report", "--method",
+          "--config",     "--set",    "--sensor",  "--pose-label", "--pose ",  "--pose-sigma",
+          "--map-origin", "--output", "same",      "points",       "--strict", "--keep-going",
+          "--force",      "--quiet",  "Exit codes"}) {
         EXPECT_THAT(reduce.out, HasSubstr(option));
     }
     const RunResult render = runOffmap({"render", "--help"});

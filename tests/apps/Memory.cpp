@@ -15,7 +15,7 @@ class Memory : public ReduceFixture {
     /// One scan over and over again, at 10 Hz, with poses in between.
     void writeScans(int count) const {
         SimulatedRobot robot;
-        const auto scan = robot.vlp16(19);  // a quarter of a turn
+        const auto scan = robot.vlp16();
         offmap::rawlog::RawlogWriter writer(in_, {std::nullopt, true});
         for (int i = 0; i < count; ++i) {
             writer.write(*robot.localisation());

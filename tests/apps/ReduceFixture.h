@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,29 @@ class ReduceFixture : public testing::Test {
         EXPECT_LT(run.err.size(), 1000U) << "no message that a person would read";
         EXPECT_THAT(run.out, testing::Not(testing::HasSubstr("wrote")));
         EXPECT_EQ(content() == before, true) << "files changed, appeared or are gone";
+    }
+
+    /// A byte changed somewhere in the first `range` ones.
+    static std::string withByteFlipped(std::string bytes, size_t range, std::mt19937& random) {
+        const size_t place = std::uniform_int_distribution<size_t>(0, range - 1)(random);
+        bytes[place] = static_cast<char>(std::uniform_int_distribution<int>(0, 255)(random));
+        return bytes;
+    }
+
+    /// Not every flipped byte can be noticed: a range is a range. But the program either writes a
+    /// whole log (true), or says where its input is damaged and writes none (false).
+    bool reducesOrRefuses(const std::string& log) const {
+        writeFile(in_, log);
+        const RunResult run = reduce({"--force"});
+        EXPECT_THAT(run.exitCode, testing::AnyOf(0, 2)) << testing::PrintToString(run);
+        if (run.exitCode == 0) {
+            EXPECT_EQ(entriesOf(out_).size(), entriesOf(in_).size());
+            std::filesystem::remove(out_);
+        } else {
+            EXPECT_THAT(run.err, testing::HasSubstr(in_.string()));
+        }
+        EXPECT_THAT(folder_.names(), testing::UnorderedElementsAre("in.rawlog", "office.lines"));
+        return run.exitCode == 0;
     }
 
     TemporaryFolder folder_;
