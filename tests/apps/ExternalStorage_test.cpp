@@ -11,7 +11,8 @@ using testing::HasSubstr;
 /// A log whose clouds rawlog-edit has put into files of their own.
 class ExternalStorage : public ReduceFixture {
  protected:
-    ExternalStorage() {
+    void SetUp() override {
+        OFFMAP_NEEDS_SHARED_DATA()
         map_ = sharedData("room/room.lines");
         in_ = folder_ / "external.rawlog";
         const RunResult run = runProgram({"/usr/bin/rawlog-edit", "--externalize", "-i",

@@ -118,6 +118,7 @@ TEST(CloudColumns, onePointIsOneColumn) {
 
 // The scanner took two profiles at each azimuth, and several while it began to turn.
 TEST(CloudColumns, realTurnHasTheColumnsOfItsProfiles) {
+    OFFMAP_NEEDS_SHARED_DATA()
     const auto scans = test::observationsIn<mrpt::obs::CObservation2DRangeScan>(
         test::sharedData("room/room1.rawlog"));
     std::vector<double> profiles;

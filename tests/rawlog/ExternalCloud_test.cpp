@@ -20,7 +20,8 @@ using Cloud = mrpt::obs::CObservationPointCloud;
 /// folder/x_Images/pc_*.bin.
 class ExternalCloud : public testing::Test {
  protected:
-    ExternalCloud() {
+    void SetUp() override {
+        OFFMAP_NEEDS_SHARED_DATA()
         const std::string command = "rawlog-edit --externalize -i '" + original().string() +
                                     "' -o '" + rawlog().string() + "' > /dev/null 2>&1";
         if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);

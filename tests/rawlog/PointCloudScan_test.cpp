@@ -57,6 +57,7 @@ TEST(PointCloudScan, columnsStandBottomToTop) {
 }
 
 TEST(PointCloudScan, orderOfThePointsChangesOnlyTheirSlots) {
+    OFFMAP_NEEDS_SHARED_DATA()
     auto points = realPoints();
     const TurnScan turn = organized(cloudOf(points));
     std::vector<uint32_t> order(points.size());

@@ -252,6 +252,7 @@ TEST(SweepColumns, columnWithoutReturnsStaysEmpty) {
 }
 
 TEST(SweepColumns, realTurnKeepsAllReturns) {
+    OFFMAP_NEEDS_SHARED_DATA()
     Turn fans;
     for (const auto& fan : test::observationsIn<Fan>(test::sharedData("room/room1.rawlog"))) {
         fans.push_back(fan);

@@ -49,6 +49,7 @@ void expectKeptAndRemovedAreAll(const Fan& fan) {
 }
 
 TEST(SweepScan, keptAndRemovedTogetherAreTheOriginal) {
+    OFFMAP_NEEDS_SHARED_DATA()
     const auto fans = test::observationsIn<Fan>(test::sharedData("room/room1.rawlog"));
     for (size_t c = 0; c < fans.size(); c += 100) expectKeptAndRemovedAreAll(*fans[c]);
 }

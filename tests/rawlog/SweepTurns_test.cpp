@@ -116,6 +116,7 @@ TEST(SweepTurns, resetForgetsTheTurn) {
 
 // The first log ends 0.2 degrees short of a full turn, the second 0.4 degrees past it.
 TEST(SweepTurns, realTurnsEndWhereTheyHaveGoneRound) {
+    OFFMAP_NEEDS_SHARED_DATA()
     const auto first = test::observationsIn<Fan>(test::sharedData("room/room1.rawlog"));
     EXPECT_EQ(turnsOf(first), (std::vector<size_t>{636}));
     const auto second = test::observationsIn<Fan>(test::sharedData("room/room2.rawlog"));
