@@ -9,7 +9,6 @@
 #include <offmap/rawlog/GroupedDigits.h>
 #include <offmap/rawlog/LogReduction.h>
 #include <offmap/rawlog/ParameterTable.h>
-#include <offmap/rawlog/RegisterClasses.h>
 #include <offmap/rawlog/ReportFile.h>
 
 #include <fmt/format.h>
@@ -169,7 +168,6 @@ void publish(Outputs& outputs, rawlog::GuardedStatus& status) {
 int reduceLog(const ReduceOptions& options, const rawlog::Config& config, const core::LineMap& map,
               const ReadableLog& readable, rawlog::GuardedStatus& status) {
     const auto begin = SteadyClock::now();
-    rawlog::registerMrptClasses();
     Outputs outputs(options, status);
     const auto [survey, endsBecause] = readFirst(options, readable, status);
     requireSensors(options, survey);

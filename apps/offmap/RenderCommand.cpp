@@ -10,7 +10,6 @@
 #include <offmap/rawlog/EntryPlace.h>
 #include <offmap/rawlog/GuardedRun.h>
 #include <offmap/rawlog/RawlogReader.h>
-#include <offmap/rawlog/RegisterClasses.h>
 #include <offmap/rawlog/ScanClasses.h>
 #include <offmap/rawlog/TurnReducer.h>
 #include <offmap/rawlog/TurnSearch.h>
@@ -46,7 +45,6 @@ struct RenderOptions {
 
 void render(const RenderOptions& options, const rawlog::Config& config, const core::LineMap& map,
             rawlog::GuardedStatus& status) {
-    rawlog::registerMrptClasses();
     rawlog::RawlogReader first(options.input), second(options.input);
     const rawlog::LogSurvey survey = rawlog::surveyLog(first, std::numeric_limits<uint64_t>::max(),
                                                        [&] { status.atEntry(first.place()); });

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../support/TemporaryFolder.h"
+
 #include <offmap/maps/TextMap.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
@@ -20,19 +21,15 @@ using testing::HasSubstr;
 /// A folder of its own for each test, gone afterwards.
 class TextMapFile : public testing::Test {
  protected:
-    TextMapFile() {
-        std::string name = fs::temp_directory_path() / "offmap_maps_XXXXXX";
-        folder_ = mkdtemp(name.data());
-        fs::permissions(folder_, fs::perms::owner_all | fs::perms::others_exec);
-    }
-    ~TextMapFile() override { fs::remove_all(folder_); }
+    TextMapFile() { fs::permissions(folder_, fs::perms::owner_all | fs::perms::others_exec); }
 
     fs::path written(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
+        test::writeFile(folder_ / name, text);
         return folder_ / name;
     }
 
-    fs::path folder_;
+    const test::TemporaryFolder temporary_;
+    const fs::path& folder_ = temporary_.path();
 };
 
 std::string errorOf(const fs::path& file) {
