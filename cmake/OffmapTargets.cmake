@@ -30,12 +30,20 @@ function(offmap_add_library name)
   target_link_libraries(offmap_${name} PRIVATE $<BUILD_INTERFACE:offmap_options>)
 endfunction()
 
-# offmap_add_test(NAME [LABEL label] LIBS... SOURCES...): one GTest binary per tested library.
+# offmap_add_test(NAME [LABEL label] [BINARY program] LIBS... SOURCES...): one GTest binary per tested
+# library; tests of a program are told where it is.
 function(offmap_add_test name)
-  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;BINARY" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE offmap_options ${ARG_LIBS} GTest::gtest GTest::gmock)
-  target_compile_definitions(${name} PRIVATE OFFMAP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # Only for this file, so that ccache knows the others again in another clone.
+  set(places OFFMAP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(ARG_BINARY)
+    list(APPEND places OFFMAP_BINARY="$<TARGET_FILE:${ARG_BINARY}>")
+    add_dependencies(${name} ${ARG_BINARY})
+  endif()
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/main.cpp
+    PROPERTIES COMPILE_DEFINITIONS "${places}")
   include(GoogleTest)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS "${ARG_LABEL}")
 endfunction()

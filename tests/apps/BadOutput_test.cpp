@@ -86,7 +86,7 @@ TEST_F(BadOutput, brokenPipeDoesNotStopTheWork) {
 TEST_F(BadOutput, closedStreamsDoNotSpoilTheResult) {
     ASSERT_EQ(reduce().exitCode, 0);
     const std::string result = readFile(out_);
-    Arguments command{"/bin/sh", "-c", "\"$0\" \"$@\" --force <&- >&- 2>&-", OFFMAP_BINARY};
+    Arguments command{"/bin/sh", "-c", "\"$0\" \"$@\" --force <&- >&- 2>&-", offmapBinary()};
     const Arguments arguments = reduceArguments();
     command.insert(command.end(), arguments.begin(), arguments.end());
     EXPECT_EQ(runProgram(command).exitCode, 0);
@@ -109,7 +109,7 @@ TEST_F(BadOutput, fullDiskIsNamed) {
                       "mount -t tmpfs -o size=48k none \"$0\" || exit 99\n"
                       "\"$@\"; code=$?; echo left: $(ls -A \"$0\"); exit $code",
                       disk,
-                      OFFMAP_BINARY};
+                      offmapBinary()};
     const Arguments arguments = reduceArguments();
     command.insert(command.end(), arguments.begin(), arguments.end());
     const RunResult run = runProgram(command);

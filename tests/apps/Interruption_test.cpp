@@ -42,7 +42,7 @@ class Interruption : public ReduceFixture {
         std::vector<std::string> command =
             reduceArguments({"--pose", "2,2.5,17.2", "--removed", folder_ / "removed.rawlog",
                              "--report", folder_ / "report.json"});
-        command.insert(command.begin(), OFFMAP_BINARY);
+        command.insert(command.begin(), offmapBinary());
         RunningProgram program(command, options);
         waitUntilItWrites(program);
         kill(toTheGroup ? -program.id() : program.id(), signal);

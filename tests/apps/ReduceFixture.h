@@ -18,7 +18,7 @@
 namespace offmap::test {
 
 inline RunResult runOffmap(std::vector<std::string> arguments, const RunOptions& options = {}) {
-    arguments.insert(arguments.begin(), OFFMAP_BINARY);
+    arguments.insert(arguments.begin(), offmapBinary());
     return runProgram(std::move(arguments), options);
 }
 

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <cstdlib>
 
@@ -37,7 +38,7 @@ class ExternalCloud : public testing::Test {
 TEST_F(ExternalCloud, isLoadedAndBecomesInline) {
     Cloud cloud = stored();
     ASSERT_TRUE(cloud.isExternallyStored());
-    loadExternal(cloud, rawlog());
+    PointCloudScan().loadExternal(cloud, rawlog());
     EXPECT_FALSE(cloud.isExternallyStored());
     EXPECT_EQ(test::bytesOf(cloud), test::bytesOf(*test::observationsIn<Cloud>(original()).at(0)));
 }
@@ -47,7 +48,7 @@ TEST_F(ExternalCloud, isFoundBesideTheLogAsWell) {
         fs::rename(file.path(), folder_ / file.path().filename().string());
     }
     Cloud cloud = stored();
-    loadExternal(cloud, rawlog());
+    PointCloudScan().loadExternal(cloud, rawlog());
     EXPECT_EQ(cloud.pointcloud->size(), 88904U);
 }
 
@@ -55,7 +56,7 @@ TEST_F(ExternalCloud, missingFileIsNamed) {
     fs::remove_all(folder_ / "x_Images");
     Cloud cloud = stored();
     try {
-        loadExternal(cloud, rawlog());
+        PointCloudScan().loadExternal(cloud, rawlog());
         FAIL() << "no exception";
     } catch (const std::runtime_error& e) {
         EXPECT_THAT(e.what(), testing::HasSubstr(cloud.getExternalStorageFile()));
@@ -69,7 +70,7 @@ TEST_F(ExternalCloud, damagedFileIsNamed) {
     const fs::path file = folder_ / "x_Images" / cloud.getExternalStorageFile();
     test::writeFile(file, "no cloud");
     try {
-        loadExternal(cloud, rawlog());
+        PointCloudScan().loadExternal(cloud, rawlog());
         FAIL() << "no exception";
     } catch (const std::runtime_error& e) {
         EXPECT_THAT(e.what(), testing::HasSubstr(file.string()));
@@ -82,7 +83,7 @@ TEST_F(ExternalCloud, hasNoSlotsBeforeItIsLoaded) {
 
 TEST(InlineCloud, isLeftAlone) {
     Cloud cloud;
-    loadExternal(cloud, "nowhere.rawlog");
+    PointCloudScan().loadExternal(cloud, "nowhere.rawlog");
     EXPECT_FALSE(cloud.pointcloud);
 }
 

@@ -9,6 +9,7 @@
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/maps/CWeightedPointsMap.h>
+#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include <offmap/rawlog/ReportFile.h>
 
 #include <gtest/gtest.h>
+#include <mrpt/obs/CObservationPointCloud.h>
 #include <nlohmann/json.hpp>
 
 namespace offmap::rawlog {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Places.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,8 +15,7 @@ namespace offmap::test {
 /// variable OFFMAP_SHARED_DATA names, else in shared/data beside the source folder.
 inline std::filesystem::path sharedData(std::string_view name) {
     const char* folder = std::getenv("OFFMAP_SHARED_DATA");
-    return (folder != nullptr ? std::filesystem::path(folder)
-                              : std::filesystem::path(OFFMAP_SOURCE_DIR) / "../shared/data") /
+    return (folder != nullptr ? std::filesystem::path(folder) : sourceFolder() / "../shared/data") /
            name;
 }
 
@@ -26,9 +27,7 @@ inline bool mayLackSharedData() {
 }
 
 /// A file of the source tree.
-inline std::filesystem::path sourceFile(std::string_view name) {
-    return std::filesystem::path(OFFMAP_SOURCE_DIR) / name;
-}
+inline std::filesystem::path sourceFile(std::string_view name) { return sourceFolder() / name; }
 
 }  // namespace offmap::test
 

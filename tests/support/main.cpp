@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Places.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+
+#ifndef OFFMAP_BINARY
+#define OFFMAP_BINARY ""
+#endif
+
+namespace offmap::test {
+
+std::filesystem::path sourceFolder() { return OFFMAP_SOURCE_DIR; }
+std::filesystem::path offmapBinary() { return OFFMAP_BINARY; }
+
+}  // namespace offmap::test
 
 int main(int argc, char** argv) {
     // Property tests draw the same cases in every run, unless RC_PARAMS says otherwise.
