@@ -127,9 +127,9 @@ rawlog::ReductionTotals writeOutputs(const ReduceOptions& options, const rawlog:
         survey, reducer, config,
         {options.input, {options.sensors.begin(), options.sensors.end()}, options.keepGoing},
         *outputs.reduced, outputs.removed ? &*outputs.removed : nullptr);
-    reduction.onTurn = [&](const rawlog::TurnRecord& turn) {
-        totals.add(turn);
-        if (outputs.report) outputs.report->add(turn);
+    reduction.onTurn = [&](const rawlog::ReducedTurn& turn) {
+        totals.add(turn.record);
+        if (outputs.report) outputs.report->add(turn.record);
     };
     reduction.onNotSupported = [&](const std::string& reason) { ++totals.notSupported[reason]; };
 

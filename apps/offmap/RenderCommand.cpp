@@ -50,7 +50,7 @@ void render(const RenderOptions& options, const rawlog::Config& config, const co
                                                        [&] { status.atEntry(first.place()); });
     if (survey.damage) throw *survey.damage;
     const ChosenPoses poses = choosePoses(options.shared, config, options.input, survey, false);
-    const auto turn = rawlog::findTurn(second, survey, config.sensor, options.entry, options.input,
+    const auto turn = rawlog::findTurn(second, survey, config, options.entry, options.input,
                                        [&] { status.atEntry(second.place()); });
     if (!turn) {
         throw std::runtime_error(fmt::format("{} has no 3D scan at or after entry {}",

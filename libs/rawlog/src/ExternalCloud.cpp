@@ -4,6 +4,7 @@
 #include <offmap/rawlog/PointCloudScan.h>
 
 #include <fmt/format.h>
+#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <array>
 #include <stdexcept>
@@ -40,8 +41,10 @@ struct Storage : Cloud {
 
 }  // namespace
 
-void loadExternal(Cloud& obs, const fs::path& rawlogFile) {
-    if (!obs.isExternallyStored()) return;
+bool PointCloudScan::loadExternal(mrpt::obs::CObservation& observation,
+                                  const fs::path& rawlogFile) const {
+    Cloud& obs = dynamic_cast<Cloud&>(observation);
+    if (!obs.isExternallyStored()) return false;
     const fs::path file = findExternalFile(obs, rawlogFile);
     // By its absolute name: MRPT's folder for external files is one for all threads.
     Cloud loader = obs;
@@ -56,6 +59,7 @@ void loadExternal(Cloud& obs, const fs::path& rawlogFile) {
     obs.pointcloud = loader.pointcloud;
     obs.overrideExternalStorageFormatFlag(Cloud::ExternalStorageFormat::None);
     obs.setAsExternalStorage("", Cloud::ExternalStorageFormat::None);
+    return true;
 }
 
 }  // namespace offmap::rawlog

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/LogReduction.h>
 #include <offmap/rawlog/Observations.h>
-#include <offmap/rawlog/PointCloudScan.h>
 #include <offmap/rawlog/ScanClasses.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -75,17 +74,19 @@ void LogReduction::addObservation(PendingEntry& entry, const CObservation::Ptr& 
     ++entry.unresolved;
     const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(obs.get());
     if (!scan) return reduceTurn({member});
-    auto& turn = open_.try_emplace(obs->sensorLabel, config_.sensor).first->second;
-    reduceTurns(turn.add(*scan, member));
+    auto open = open_.find(obs->sensorLabel);
+    if (open == open_.end()) {
+        const SensorConfig config = config_.sensorOf(obs->sensorLabel);
+        OpenTurn turn{TurnCollector<Member>(config), config.maxColumnPause};
+        open = open_.emplace(obs->sensorLabel, std::move(turn)).first;
+    }
+    reduceTurns(open->second.columns.add(*scan, member));
 }
 
 /// False if it is to be copied as it is, because its file cannot be loaded.
 bool LogReduction::loadIfExternal(Member& member) const {
-    auto* cloud = dynamic_cast<mrpt::obs::CObservationPointCloud*>(member.obs.get());
-    if (!cloud || !cloud->isExternallyStored()) return true;
     try {
-        loadExternal(*cloud, settings_.input);
-        member.loaded = true;
+        member.loaded = scanClassOf(*member.obs)->loadExternal(*member.obs, settings_.input);
         return true;
     } catch (const std::exception&) {
         if (!settings_.keepGoing) throw;
@@ -95,10 +96,10 @@ bool LogReduction::loadIfExternal(Member& member) const {
 }
 
 void LogReduction::endOverdueTurns(mrpt::Clock::time_point now) {
-    const std::chrono::duration<double> longest(config_.sensor.maxColumnPause);
     for (auto& [label, turn] : open_) {
-        if (!turn.empty() && now - turn.latest().obs->timestamp > longest)
-            reduceTurns(turn.finish());
+        const std::chrono::duration<double> longest(turn.maxPause);
+        if (!turn.columns.empty() && now - turn.columns.latest().obs->timestamp > longest)
+            reduceTurns(turn.columns.finish());
     }
 }
 
@@ -120,7 +121,7 @@ void LogReduction::reduceTurn(const std::vector<Member>& members) {
         --entry.unresolved;
     }
     reduced.record.entry = members.front().entry->index;
-    onTurn(reduced.record);
+    onTurn(reduced);
 }
 
 void LogReduction::writeReady() {
@@ -145,7 +146,7 @@ void LogReduction::write(const PendingEntry& entry) {
 }
 
 void LogReduction::finish() {
-    for (auto& [label, turn] : open_) reduceTurns(turn.finish());
+    for (auto& [label, turn] : open_) reduceTurns(turn.columns.finish());
     writeReady();
 }
 

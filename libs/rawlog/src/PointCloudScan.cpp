@@ -4,6 +4,7 @@
 #include <offmap/rawlog/PointCloudScan.h>
 
 #include <fmt/format.h>
+#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <stdexcept>
 
@@ -41,19 +42,20 @@ CloudReturns returnsOf(const Cloud& obs, uint32_t firstSlot, ReturnCounts& count
 }
 
 void appendCloud(TurnScan& out, const Cloud& obs, uint32_t firstSlot, const PoseSource& poses,
-                 double columnWidth) {
+                 const SensorConfig& config) {
+    const mrpt::poses::CPose3D mounting = sensorInVehicle(obs, config);
     const CloudReturns returns = returnsOf(obs, firstSlot, out.counts);
-    const CloudColumns columns = findCloudColumns(returns.points, columnWidth);
+    const CloudColumns columns = findCloudColumns(returns.points, config.columnWidth);
     std::vector<std::vector<ColumnReturn>> byColumn(columns.azimuths.size());
     for (size_t i = 0; i < returns.points.size(); ++i) {
         byColumn[columns.columnOf[i]].push_back({returns.points[i], returns.slots[i]});
     }
     core::ScanColumn column;
     column.time = obs.timestamp;
-    placeColumn(column, poses.at(obs.timestamp), obs.sensorPose);
+    placeColumn(column, poses.at(obs.timestamp), mounting);
     for (size_t c = 0; c < byColumn.size(); ++c) {
-        column.azimuth = static_cast<float>(azimuthInVehicle(columns.azimuths[c], obs.sensorPose));
-        appendColumn(out, column, obs.sensorPose, byColumn[c]);
+        column.azimuth = static_cast<float>(azimuthInVehicle(columns.azimuths[c], mounting));
+        appendColumn(out, column, mounting, byColumn[c]);
     }
 }
 
@@ -84,8 +86,7 @@ TurnScan PointCloudScan::organize(const Turn& turn, const PoseSource& poses,
     size_t firstSlot = 0;
     for (const auto& obs : turn) {
         const size_t slots = slotCount(*obs);
-        appendCloud(out, asCloud(*obs), static_cast<uint32_t>(firstSlot), poses,
-                    config.columnWidth);
+        appendCloud(out, asCloud(*obs), static_cast<uint32_t>(firstSlot), poses, config);
         firstSlot += slots;
     }
     return out;

@@ -16,4 +16,12 @@ void SensorConfig::validate() const {
     }
 }
 
+mrpt::poses::CPose3D sensorInVehicle(const mrpt::obs::CObservation& obs,
+                                     const SensorConfig& config) {
+    if (config.mounting) return *config.mounting;
+    mrpt::poses::CPose3D pose;
+    obs.getSensorPose(pose);
+    return pose;
+}
+
 }  // namespace offmap::rawlog

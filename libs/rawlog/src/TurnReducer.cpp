@@ -72,8 +72,14 @@ std::vector<uint8_t> removedSlots(const TurnScan& turn, const core::ReductionRes
 
 TurnReducer::TurnReducer(const core::LineMap& map, const PoseSource& poses, const Config& config,
                          OutputClass output)
-    : reducer_(map, config.reduction), poses_(poses), sensor_(config.sensor), output_(output) {
+    : reducer_(map, config.reduction), poses_(poses), config_(config), output_(output) {
     config.validate();
+}
+
+const SensorConfig& TurnReducer::sensorOf(const std::string& label) {
+    const auto known = sensors_.find(label);
+    if (known != sensors_.end()) return known->second;
+    return sensors_.emplace(label, config_.sensorOf(label)).first->second;
 }
 
 CObservation::Ptr TurnReducer::select(const CObservation& obs, const ScanClass& scanClass,
@@ -87,7 +93,7 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     ReducedTurn out;
     size_t slots = 0;
     for (const auto& obs : turn) slots += scanClass.slotCount(*obs);
-    out.organized = scanClass.organize(turn, poses_, sensor_);
+    out.organized = scanClass.organize(turn, poses_, sensorOf(turn.front()->sensorLabel));
     result_ = &reducer_.reduce(out.organized.scan);
     out.removedSlots = removedSlots(out.organized, *result_, slots);
 

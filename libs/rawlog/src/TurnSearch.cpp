@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/Observations.h>
-#include <offmap/rawlog/PointCloudScan.h>
+#include <offmap/rawlog/ScanClasses.h>
 #include <offmap/rawlog/TurnCollector.h>
 #include <offmap/rawlog/TurnSearch.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <map>
 #include <string>
@@ -31,9 +30,8 @@ std::optional<Turn> reaching(const std::vector<Column>& columns, uint64_t entry)
 
 }  // namespace
 
-std::optional<Turn> findTurn(RawlogReader& reader, const LogSurvey& survey,
-                             const SensorConfig& config, uint64_t entry,
-                             const std::filesystem::path& input,
+std::optional<Turn> findTurn(RawlogReader& reader, const LogSurvey& survey, const Config& config,
+                             uint64_t entry, const std::filesystem::path& input,
                              const std::function<void()>& onEntry) {
     std::map<std::string, TurnCollector<Column>> open;  // by label
     std::optional<Turn> found;
@@ -46,10 +44,11 @@ std::optional<Turn> findTurn(RawlogReader& reader, const LogSurvey& survey,
         if (found || !survey.reducible(*obs)) return;
         const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(obs.get());
         if (scan) {
-            take(open.try_emplace(obs->sensorLabel, config).first->second.add(*scan, {obs, index}));
+            const auto& label = obs->sensorLabel;
+            auto& turn = open.try_emplace(label, config.sensorOf(label)).first->second;
+            take(turn.add(*scan, {obs, index}));
         } else if (index >= entry) {
-            auto* cloud = dynamic_cast<mrpt::obs::CObservationPointCloud*>(obs.get());
-            if (cloud) loadExternal(*cloud, input);
+            scanClassOf(*obs)->loadExternal(*obs, input);
             found = Turn{obs};
         }
     };

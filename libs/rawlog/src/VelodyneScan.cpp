@@ -22,7 +22,9 @@ constexpr size_t vlp16Lasers = 16;
 
 const Scan& asScan(const mrpt::obs::CObservation& obs) { return dynamic_cast<const Scan&>(obs); }
 
-void appendFirings(TurnScan& out, const Scan& obs, uint32_t firstSlot, const PoseSource& poses) {
+void appendFirings(TurnScan& out, const Scan& obs, uint32_t firstSlot, const PoseSource& poses,
+                   const SensorConfig& config) {
+    const mrpt::poses::CPose3D mounting = sensorInVehicle(obs, config);
     const VelodyneReturns decoded = decodePackets(obs);
     std::vector<ColumnReturn> returns;
     for (const VelodyneFiring& firing : decoded.firings) {
@@ -32,10 +34,10 @@ void appendFirings(TurnScan& out, const Scan& obs, uint32_t firstSlot, const Pos
             returns.push_back({decoded.points[i], firstSlot + decoded.slots[i]});
         }
         core::ScanColumn column;
-        column.azimuth = static_cast<float>(azimuthInVehicle(firing.azimuth, obs.sensorPose));
+        column.azimuth = static_cast<float>(azimuthInVehicle(firing.azimuth, mounting));
         column.time = firing.time;
-        placeColumn(column, poses.at(firing.time), obs.sensorPose);
-        appendColumn(out, column, obs.sensorPose, returns);
+        placeColumn(column, poses.at(firing.time), mounting);
+        appendColumn(out, column, mounting, returns);
     }
     out.counts.zero += obs.scan_packets.size() * slotsPerPacket - decoded.points.size();
 }
@@ -47,11 +49,11 @@ size_t VelodyneScan::slotCount(const mrpt::obs::CObservation& obs) const {
 }
 
 TurnScan VelodyneScan::organize(const Turn& turn, const PoseSource& poses,
-                                const SensorConfig& /*config*/) const {
+                                const SensorConfig& config) const {
     TurnScan out;
     size_t firstSlot = 0;
     for (const auto& obs : turn) {
-        appendFirings(out, asScan(*obs), static_cast<uint32_t>(firstSlot), poses);
+        appendFirings(out, asScan(*obs), static_cast<uint32_t>(firstSlot), poses, config);
         firstSlot += slotCount(*obs);
     }
     return out;

@@ -5,6 +5,10 @@
 #include <offmap/rawlog/SensorConfig.h>
 
 #include <mrpt/core/bits_math.h>
+#include <mrpt/math/TPose3D.h>
+
+#include <map>
+#include <string>
 
 namespace offmap::rawlog {
 
@@ -24,12 +28,18 @@ struct MapConfig {
 /// command line use.
 struct Config {
     core::ReductionConfig reduction;
-    SensorConfig sensor;
+    SensorConfig sensor;  ///< of sensors that are set nothing of their own
+    /// Settings of single sensors: by label, the name of the parameter in its section and its text.
+    std::map<std::string, std::map<std::string, std::string>> sensors;
+    std::map<std::string, mrpt::math::TPose3D> mountings;  ///< by label, instead of the log's
     PoseConfig pose;
     MapConfig map;
 
     /// \throw std::invalid_argument naming the key and its limits.
     void validate() const;
+
+    /// What holds for one sensor. \throw std::invalid_argument naming a key that is wrong
+    SensorConfig sensorOf(const std::string& label) const;
 };
 
 }  // namespace offmap::rawlog

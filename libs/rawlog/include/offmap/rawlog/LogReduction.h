@@ -38,8 +38,9 @@ class LogReduction {
     LogReduction(const LogSurvey& survey, TurnReducer& reducer, const Config& config,
                  Settings settings, RawlogWriter& reduced, RawlogWriter* removed);
 
-    /// Called for each turn, in the order in which turns are completed.
-    std::function<void(const TurnRecord&)> onTurn = [](const TurnRecord&) {};
+    /// Called for each turn, in the order in which turns are completed; the reducer's result() is
+    /// that of the turn.
+    std::function<void(const ReducedTurn&)> onTurn = [](const ReducedTurn&) {};
     /// Called for each 3D observation that is copied because offmap cannot reduce it, with the
     /// reason.
     std::function<void(const std::string&)> onNotSupported = [](const std::string&) {};
@@ -84,7 +85,11 @@ class LogReduction {
     RawlogWriter& reduced_;
     RawlogWriter* removed_;
     std::deque<PendingEntry> pending_;
-    std::map<std::string, TurnCollector<Member>> open_;  // by label
+    struct OpenTurn {
+        TurnCollector<Member> columns;
+        double maxPause;  // [s]
+    };
+    std::map<std::string, OpenTurn> open_;  // by label
 };
 
 }  // namespace offmap::rawlog

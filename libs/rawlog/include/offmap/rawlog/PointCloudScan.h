@@ -3,10 +3,6 @@
 
 #include <offmap/rawlog/ScanClass.h>
 
-#include <mrpt/obs/CObservationPointCloud.h>
-
-#include <filesystem>
-
 namespace offmap::rawlog {
 
 /// CObservationPointCloud: columns by azimuth in the sensor's frame (findCloudColumns). A slot is a
@@ -16,6 +12,10 @@ class PointCloudScan final : public ScanClass {
  public:
     using ScanClass::withOnly;
 
+    /// Looks where MRPT's programs put such files: in <name>_Images and Images beside the rawlog,
+    /// and beside it.
+    bool loadExternal(mrpt::obs::CObservation& obs,
+                      const std::filesystem::path& rawlogFile) const override;
     /// \throw std::logic_error if the cloud is stored externally: loadExternal() comes first.
     size_t slotCount(const mrpt::obs::CObservation& obs) const override;
     TurnScan organize(const Turn& turn, const PoseSource& poses,
@@ -26,10 +26,5 @@ class PointCloudScan final : public ScanClass {
     mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
                                               SlotMask keep) const override;
 };
-
-/// Loads a cloud that is stored in a file of its own and makes it part of the observation; does
-/// nothing if it is already. Looks where MRPT's programs put such files: in <name>_Images and
-/// Images beside the rawlog, and beside it. \throw std::runtime_error naming the file
-void loadExternal(mrpt::obs::CObservationPointCloud& obs, const std::filesystem::path& rawlogFile);
 
 }  // namespace offmap::rawlog

@@ -8,6 +8,7 @@
 #include <mrpt/obs/CObservation.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,14 @@ enum class Leftovers : uint8_t { Keep, Drop };
 class ScanClass {
  public:
     virtual ~ScanClass() = default;
+
+    /// Makes what the observation stores in files of its own part of it; to be called before
+    /// anything else. \param rawlogFile such files are looked for beside it
+    /// \return whether there was any \throw std::runtime_error naming the file that cannot be read
+    virtual bool loadExternal(mrpt::obs::CObservation& /*obs*/,
+                              const std::filesystem::path& /*rawlogFile*/) const {
+        return false;
+    }
 
     virtual size_t slotCount(const mrpt::obs::CObservation& obs) const = 0;
 

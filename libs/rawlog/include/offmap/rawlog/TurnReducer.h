@@ -9,6 +9,8 @@
 
 #include <mrpt/obs/CObservation.h>
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace offmap::rawlog {
@@ -48,13 +50,15 @@ class TurnReducer {
                                                           const ScanClass& scanClass) const;
 
  private:
+    const SensorConfig& sensorOf(const std::string& label);
     mrpt::obs::CObservation::Ptr select(const mrpt::obs::CObservation& obs,
                                         const ScanClass& scanClass, SlotMask keep,
                                         Leftovers leftovers) const;
 
     core::Reducer reducer_;
     const PoseSource& poses_;
-    SensorConfig sensor_;
+    Config config_;
+    std::map<std::string, SensorConfig> sensors_;  // by label, as far as seen
     OutputClass output_;
     const core::ReductionResult* result_ = nullptr;
 };
