@@ -71,6 +71,29 @@ TEST(ApplyYaml, setsWhatItMentionsAndNothingElse) {
     EXPECT_TRUE(equal(config, expected));
 }
 
+TEST(ApplyYaml, listIsAFlowOrABlockSequence) {
+    for (const char* text : {"sensor: {elevations_deg: [-15, 1]}\n",
+                             "sensor:\n  elevations_deg:\n    - -15\n    - 1\n",
+                             "sensor: {elevations_deg: '-15, 1'}\n"}) {
+        const TemporaryFile file(text);
+        Config config;
+        EXPECT_THAT(applyYaml(config, file.path), ElementsAre("sensor.elevations_deg"));
+        EXPECT_EQ(findParameter("sensor.elevations_deg").text(config), "[-15, 1]") << text;
+    }
+}
+
+TEST(ApplyYaml, wrongListNamesWhatIsAllowed) {
+    for (const char* value : {"{a: 1}", "[[1]]", "['0,5']", "[~]", "~", "[up]", "[91]", "''"}) {
+        EXPECT_THAT(errorOfText(std::string("sensor:\n  elevations_deg: ") + value + "\n"),
+                    AllOf(HasSubstr(".yaml:2:"), HasSubstr("sensor.elevations_deg"),
+                          HasSubstr("each -90 ... 90 deg")))
+            << value;
+    }
+    EXPECT_THAT(errorOfText("sensor: {robot_box_m: [1, 2, 3]}\n"), HasSubstr("0 or 6 numbers"));
+    EXPECT_THAT(errorOfText("sensor: {robot_box_m: [1, 0, -1, 1, 0, 1]}\n"),
+                AllOf(HasSubstr("sensor.robot_box_m"), HasSubstr("min less than its max")));
+}
+
 TEST(ApplyYaml, laterFileGoesOverEarlierOne) {
     Config config;
     {

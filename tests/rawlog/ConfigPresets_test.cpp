@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../support/ParameterValues.h"
 #include "../support/SharedData.h"
 
 #include <offmap/rawlog/ConfigFile.h>
@@ -9,7 +10,6 @@
 
 #include <fstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 // The files of the folder config/.
@@ -22,7 +22,7 @@ namespace {
 Config allDifferent() {
     Config config;
     for (const Parameter& p : parameters()) {
-        p.setNumber(config, p.number(config) == p.max ? p.min : p.max);
+        p.setNumbers(config, test::otherThan(p, p.numbers(config)));
     }
     return config;
 }
@@ -32,9 +32,9 @@ Config allDifferent() {
 TEST(DefaultYaml, holdsEveryKeyWithItsDefault) {
     Config config = allDifferent();
     const auto keysSet = applyYaml(config, test::sourceFile("config/default.yaml"));
-    std::vector<std::string_view> allKeys;
+    std::vector<std::string> allKeys;
     for (const Parameter& p : parameters()) {
-        allKeys.push_back(p.key);
+        allKeys.emplace_back(p.key);
         EXPECT_EQ(p.read(config), p.read(Config{})) << p.key;
     }
     EXPECT_EQ(keysSet, allKeys);
@@ -58,7 +58,7 @@ TEST_P(Preset, holdsOnlyWhatDiffersFromTheDefault) {
     Config config;
     const auto keysSet = applyYaml(config, test::sourceFile(GetParam()));
     EXPECT_FALSE(keysSet.empty());
-    for (const std::string_view key : keysSet) {
+    for (const std::string& key : keysSet) {
         const Parameter& p = findParameter(key);
         EXPECT_NE(p.read(config), p.read(Config{})) << key;
     }

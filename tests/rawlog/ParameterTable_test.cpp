@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../support/ParameterValues.h"
+
 #include <offmap/rawlog/ParameterTable.h>
 
 #include <gmock/gmock.h>
@@ -16,7 +18,11 @@ namespace offmap::rawlog {
 namespace {
 
 using testing::AllOf;
+using testing::DoubleEq;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pointwise;
 
 std::string errorOf(const std::function<void()>& call) {
     try {
@@ -50,10 +56,10 @@ TEST(ParameterTable, defaultsAreAllowed) { EXPECT_NO_THROW(Config{}.validate());
 // Both ends of every range must suit the stages that use the value, too.
 TEST(ParameterTable, limitsAreValid) {
     for (const Parameter& p : parameters()) {
-        for (const double limit : {p.min, p.max}) {
+        for (const auto& limits : test::limitsOf(p)) {
             Config config;
-            p.setNumber(config, limit);
-            EXPECT_NO_THROW(config.validate()) << p.key << " = " << limit;
+            p.setNumbers(config, limits);
+            EXPECT_NO_THROW(config.validate()) << p.key << " = " << p.text(config);
         }
     }
 }
@@ -61,13 +67,14 @@ TEST(ParameterTable, limitsAreValid) {
 TEST(ParameterTable, setChangesNothingElse) {
     for (const Parameter& changed : parameters()) {
         Config config;
-        const double value = changed.number(config) == changed.max ? changed.min : changed.max;
-        changed.setNumber(config, value);
+        const auto values = test::otherThan(changed, changed.numbers(config));
+        changed.setNumbers(config, values);
         for (const Parameter& p : parameters()) {
             if (p.key == changed.key) {
-                EXPECT_NEAR(p.number(config), value, 1e-15 * value) << p.key;
+                // A degree goes there and back: twice half a unit in the last place.
+                EXPECT_THAT(p.numbers(config), Pointwise(DoubleEq(), values)) << p.key;
             } else {
-                EXPECT_EQ(p.number(config), p.number(Config{})) << changed.key << ", " << p.key;
+                EXPECT_EQ(p.numbers(config), p.numbers(Config{})) << changed.key << ", " << p.key;
             }
         }
     }
@@ -78,18 +85,22 @@ TEST(ParameterTable, beyondItsLimitsIsRefused) {
         for (const double value : {p.min - 1, p.max + 1, std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::infinity()}) {
             Config config;
-            EXPECT_THAT(errorOf([&] { p.setNumber(config, value); }),
-                        AllOf(HasSubstr(p.key), HasSubstr(p.allowed())));
-            EXPECT_EQ(p.number(config), p.number(Config{})) << p.key;
+            for (auto values : test::limitsOf(p)) {
+                if (values.empty()) continue;
+                values.back() = value;
+                EXPECT_THAT(errorOf([&] { p.setNumbers(config, values); }),
+                            AllOf(HasSubstr(p.key), HasSubstr(p.allowed())));
+            }
+            EXPECT_EQ(p.numbers(config), p.numbers(Config{})) << p.key;
         }
     }
 }
 
 TEST(ParameterTable, textIsReadBackToTheSameValue) {
     for (const Parameter& p : parameters()) {
-        for (const double limit : {p.min, p.max}) {
+        for (const auto& limits : test::limitsOf(p)) {
             Config written;
-            p.setNumber(written, limit);
+            p.setNumbers(written, limits);
             Config read;
             p.setText(read, p.text(written));
             EXPECT_EQ(p.read(read), p.read(written)) << p.key;
@@ -133,6 +144,54 @@ TEST(ParameterTable, textOfWrongTypeIsRefused) {
                      std::invalid_argument)
             << text;
     }
+}
+
+TEST(ParameterTable, listIsReadWithAndWithoutBrackets) {
+    Config config;
+    const Parameter& elevations = findParameter("sensor.elevations_deg");
+    EXPECT_EQ(elevations.text(config), "[]");
+    for (const char* text : {"[-15, 1.5]", "-15,1.5", "[ -15 ,1.5 ]"}) {
+        elevations.setText(config, "[]");
+        elevations.setText(config, text);
+        EXPECT_THAT(config.sensor.elevations,
+                    ElementsAre(DoubleEq(mrpt::DEG2RAD(-15.0)), DoubleEq(mrpt::DEG2RAD(1.5))))
+            << text;
+        EXPECT_EQ(elevations.text(config), "[-15, 1.5]");
+    }
+    elevations.setText(config, "7");
+    EXPECT_EQ(elevations.text(config), "[7]");
+    elevations.setText(config, "[ ]");
+    EXPECT_THAT(config.sensor.elevations, IsEmpty());
+}
+
+TEST(ParameterTable, listOfWrongEntriesIsRefused) {
+    Config config;
+    const Parameter& elevations = findParameter("sensor.elevations_deg");
+    for (const char* text : {"", "[", "]", "[1", "1]", "1,", ",1", "[,]", "1,,2", "1 2", "up",
+                             "[1,up]", "[[1]]", "[1, 91]", "-90.5", "nan", "[0, inf]"}) {
+        EXPECT_THAT(errorOf([&] { elevations.setText(config, text); }),
+                    AllOf(HasSubstr("sensor.elevations_deg"),
+                          HasSubstr("a list of numbers, each -90 ... 90 deg")))
+            << text;
+    }
+    EXPECT_THAT(config.sensor.elevations, IsEmpty());
+}
+
+TEST(ParameterTable, boxHasSixSidesOrNone) {
+    Config config;
+    const Parameter& box = findParameter("sensor.robot_box_m");
+    box.setText(config, "-0.5,0.25,-0.3,0.4,0,1.5");
+    ASSERT_TRUE(config.sensor.robotBox);
+    EXPECT_EQ(config.sensor.robotBox->min, mrpt::math::TPoint3D(-0.5, -0.3, 0));
+    EXPECT_EQ(config.sensor.robotBox->max, mrpt::math::TPoint3D(0.25, 0.4, 1.5));
+    EXPECT_EQ(box.text(config), "[-0.5, 0.25, -0.3, 0.4, 0, 1.5]");
+    for (const char* text : {"1", "-1,1,-1,1,0", "-1,1,-1,1,0,1,2"}) {
+        EXPECT_THAT(errorOf([&] { box.setText(config, text); }),
+                    HasSubstr("a list of 0 or 6 numbers, each -100 ... 100 m"))
+            << text;
+    }
+    box.setText(config, "[]");
+    EXPECT_FALSE(config.sensor.robotBox);
 }
 
 TEST(ParameterTable, fractionOfACountIsRefused) {

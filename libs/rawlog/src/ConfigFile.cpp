@@ -3,9 +3,11 @@
 #include <offmap/rawlog/ParameterTable.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <yaml-cpp/yaml.h>
 
@@ -45,16 +47,34 @@ std::string keyText(const YAML::Node& key, std::vector<std::string>& seen) {
     return seen.emplace_back(key.Scalar());
 }
 
-std::string_view applyEntry(Config& config, const std::string& fullKey, const YAML::Node& key,
-                            const YAML::Node& value) {
+/// "[-15, 1]" of a sequence of scalars. An entry with a comma would become two.
+std::optional<std::string> listText(const YAML::Node& sequence) {
+    std::vector<std::string> entries;
+    for (const YAML::Node& entry : sequence) {
+        if (!entry.IsScalar() || entry.Scalar().find(',') != std::string::npos) return std::nullopt;
+        entries.push_back(entry.Scalar());
+    }
+    return fmt::format("[{}]", fmt::join(entries, ", "));
+}
+
+/// A value as --set would write it. \throw YAML::Exception if the parameter has none such
+std::string valueText(const Parameter& parameter, const YAML::Node& key, const YAML::Node& value) {
+    if (value.IsScalar()) return value.Scalar();
+    const bool list = parameter.kind == ParameterKind::List;
+    if (list && value.IsSequence()) {
+        if (auto text = listText(value)) return *text;
+    }
+    refuse(value.IsNull() ? key.Mark() : value.Mark(),
+           fmt::format("{} needs {}: allowed is {}", parameter.key,
+                       list ? "a list of numbers" : "one value", parameter.allowed()));
+}
+
+std::string applyEntry(Config& config, const std::string& fullKey, const YAML::Node& key,
+                       const YAML::Node& value) {
     try {
         const Parameter& parameter = findParameter(fullKey);
-        if (!value.IsScalar()) {
-            refuse(value.IsNull() ? key.Mark() : value.Mark(),
-                   fmt::format("{} needs one value: allowed is {}", fullKey, parameter.allowed()));
-        }
-        parameter.setText(config, value.Scalar());
-        return parameter.key;
+        parameter.setText(config, valueText(parameter, key, value));
+        return fullKey;
     } catch (const std::invalid_argument& e) {
         refuse(key.Mark(), e.what());
     }
@@ -77,7 +97,7 @@ void requireSection(const YAML::Node& key, const std::string& name) {
 
 /// A section without entries is fine: all of them may have been commented out.
 void applySection(Config& config, const std::string& name, const YAML::Node& key,
-                  const YAML::Node& section, std::vector<std::string_view>& keysSet) {
+                  const YAML::Node& section, std::vector<std::string>& keysSet) {
     if (!section.IsMap()) requireSection(key, name);
     if (section.IsNull()) return;
     if (!section.IsMap()) {
@@ -91,8 +111,8 @@ void applySection(Config& config, const std::string& name, const YAML::Node& key
     }
 }
 
-std::vector<std::string_view> applyDocument(Config& config, const YAML::Node& document) {
-    std::vector<std::string_view> keysSet;
+std::vector<std::string> applyDocument(Config& config, const YAML::Node& document) {
+    std::vector<std::string> keysSet;
     std::vector<std::string> seen;
     for (const auto& entry : document) {
         const std::string name = keyText(entry.first, seen);
@@ -109,7 +129,7 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string_view> applyYaml(Config& config, const std::filesystem::path& file) {
+std::vector<std::string> applyYaml(Config& config, const std::filesystem::path& file) {
     std::ifstream stream(file);
     if (!stream || std::filesystem::is_directory(file)) {
         throw std::runtime_error(

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/EditDistance.h>
 #include <offmap/rawlog/ParameterTable.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -28,8 +29,11 @@ Parameter row(std::string_view key, std::string_view unit, double min, double ma
             min,
             max,
             std::move(choices),
-            [access](const Config& c) { return static_cast<double>(access(c)); },
-            [access](Config& c, double value) { access(c) = static_cast<Field>(value); }};
+            {},
+            [access](const Config& c) { return std::vector{static_cast<double>(access(c))}; },
+            [access](Config& c, const std::vector<double>& values) {
+                access(c) = static_cast<Field>(values.at(0));
+            }};
 }
 
 template <typename Access>
@@ -54,6 +58,44 @@ template <typename Access>
 Parameter choice(std::string_view key, Names names, Access access, std::string_view meaning) {
     const auto last = static_cast<double>(names.size() - 1);
     return row(key, "-", 0, last, access, meaning, ParameterKind::Choice, std::move(names));
+}
+
+Parameter elevations() {
+    return {"sensor.elevations_deg",
+            "deg",
+            "range image: elevations of its rows, row 0 first; empty: known from the model",
+            ParameterKind::List,
+            -90,
+            90,
+            {},
+            {},
+            [](const Config& c) { return c.sensor.elevations; },
+            [](Config& c, const std::vector<double>& values) { c.sensor.elevations = values; }};
+}
+
+std::vector<double> sidesOf(const std::optional<RobotBox>& box) {
+    if (!box) return {};
+    return {box->min.x, box->max.x, box->min.y, box->max.y, box->min.z, box->max.z};
+}
+
+std::optional<RobotBox> boxOf(const std::vector<double>& sides) {
+    if (sides.empty()) return std::nullopt;
+    return RobotBox{{sides.at(0), sides.at(2), sides.at(4)},
+                    {sides.at(1), sides.at(3), sides.at(5)}};
+}
+
+Parameter robotBox() {
+    return {
+        "sensor.robot_box_m",
+        "m",
+        "returns in x_min, x_max, y_min, y_max, z_min, z_max of the vehicle are its own",
+        ParameterKind::List,
+        -100,
+        100,
+        {},
+        {0, 6},
+        [](const Config& c) { return sidesOf(c.sensor.robotBox); },
+        [](Config& c, const std::vector<double>& values) { c.sensor.robotBox = boxOf(values); }};
 }
 
 // clang-format off
@@ -116,7 +158,7 @@ Rows extensionAndOrphanRows() {
     };
 }
 
-Rows inputRows() {
+Rows sensorRows() {
     return {
         choice("sensor.pose_reference", {"auto", "turn", "column"}, FIELD(sensor.poseReference),
                "turned 2D scanner: place columns by the turn's one pose or by a pose each"),
@@ -126,7 +168,17 @@ Rows inputRows() {
                "turned 2D scanner: a longer pause between two columns ends the turn"),
         number("sensor.column_width_deg", "deg", 0, 30, FIELD(sensor.columnWidth),
                "point cloud: azimuth width of a column; 0: found in the cloud"),
+        choice("sensor.time_reference", {"first", "middle", "last"}, FIELD(sensor.timeReference),
+               "which moment of a scan its time stamp tells"),
+        elevations(),
+        number("sensor.min_range_m", "m", 0, 100, FIELD(sensor.minRange),
+               "nearer returns are the robot's own, and kept; 0: none"),
+        robotBox(),
+    };
+}
 
+Rows poseAndMapRows() {
+    return {
         number("pose.max_age_s", "s", 0, 3600, FIELD(pose.maxAge),
                "time from a column to the nearest pose; beyond, the column is kept whole"),
         number("pose.sigma_m", "m", 0, 100, FIELD(pose.sigmaPosition),
@@ -143,26 +195,11 @@ Rows inputRows() {
 
 Rows allRows() {
     Rows table;
-    for (const auto& section :
-         {segmentRows(), matchingRows(), extensionAndOrphanRows(), inputRows()}) {
+    for (const auto& section : {segmentRows(), matchingRows(), extensionAndOrphanRows(),
+                                sensorRows(), poseAndMapRows()}) {
         table.insert(table.end(), section.begin(), section.end());
     }
     return table;
-}
-
-/// Number of single-character edits that turn one text into the other (Levenshtein).
-size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
-    for (size_t i = 0; i < a.size(); ++i) {
-        size_t diagonal = std::exchange(row[0], i + 1);
-        for (size_t j = 0; j < b.size(); ++j) {
-            const size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-        }
-    }
-    return row.back();
 }
 
 /// A key with a slip in it, or a key without its section.

@@ -3,6 +3,7 @@
 
 #include <mrpt/core/bits_math.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace offmap::rawlog {
@@ -13,6 +14,15 @@ void SensorConfig::validate() const {
     }
     if (!(columnWidth >= 0 && columnWidth <= mrpt::DEG2RAD(30.0))) {
         throw std::invalid_argument("sensor.column_width_deg must lie in 0 ... 30");
+    }
+    if (!(minRange >= 0 && std::isfinite(minRange))) {
+        throw std::invalid_argument("sensor.min_range_m must be finite and not negative");
+    }
+    if (robotBox && !(robotBox->min.x < robotBox->max.x && robotBox->min.y < robotBox->max.y &&
+                      robotBox->min.z < robotBox->max.z)) {
+        throw std::invalid_argument(
+            "sensor.robot_box_m must be x_min, x_max, y_min, y_max, z_min, z_max, each min less "
+            "than its max");
     }
 }
 

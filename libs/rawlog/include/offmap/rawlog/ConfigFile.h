@@ -4,6 +4,7 @@
 #include <offmap/rawlog/Config.h>
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace offmap::rawlog {
 /// \throw std::runtime_error naming file, line, key and what is allowed, for a file that cannot be
 /// read, a syntax error, an unknown or repeated key, a value of the wrong type or out of its
 /// limits. The configuration is then unchanged.
-std::vector<std::string_view> applyYaml(Config& config, const std::filesystem::path& file);
+std::vector<std::string> applyYaml(Config& config, const std::filesystem::path& file);
 
 /// Sets one parameter: "vertical.max_tilt_deg=4".
 /// \throw std::runtime_error like applyYaml(). The configuration is then unchanged.
