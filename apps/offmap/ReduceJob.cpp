@@ -94,13 +94,13 @@ struct SurveyedLog {
 };
 
 /// Reads the log a first time. \throw std::runtime_error if it is damaged and not to be read on
-SurveyedLog readFirst(const ReduceOptions& options, const ReadableLog& readable,
-                      rawlog::GuardedStatus& status) {
+SurveyedLog readFirst(const ReduceOptions& options, const rawlog::Config& config,
+                      const ReadableLog& readable, rawlog::GuardedStatus& status) {
     Progress progress(options.quiet);
     rawlog::RawlogReader reader(options.input);
     const auto size = static_cast<double>(reader.compressedSize());
     SurveyedLog log;
-    log.survey = rawlog::surveyLog(reader, readable.entries, [&] {
+    log.survey = rawlog::surveyLog(reader, config, readable.entries, [&] {
         status.atEntry(reader.place());
         progress.tellSurvey(static_cast<double>(reader.compressedPosition()) / size);
     });
@@ -169,7 +169,7 @@ int reduceLog(const ReduceOptions& options, const rawlog::Config& config, const 
               const ReadableLog& readable, rawlog::GuardedStatus& status) {
     const auto begin = SteadyClock::now();
     Outputs outputs(options, status);
-    const auto [survey, endsBecause] = readFirst(options, readable, status);
+    const auto [survey, endsBecause] = readFirst(options, config, readable, status);
     requireSensors(options, survey);
     requireScans(options, survey);
     const ChosenPoses poses =

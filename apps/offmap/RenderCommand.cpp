@@ -46,8 +46,9 @@ struct RenderOptions {
 void render(const RenderOptions& options, const rawlog::Config& config, const core::LineMap& map,
             rawlog::GuardedStatus& status) {
     rawlog::RawlogReader first(options.input), second(options.input);
-    const rawlog::LogSurvey survey = rawlog::surveyLog(first, std::numeric_limits<uint64_t>::max(),
-                                                       [&] { status.atEntry(first.place()); });
+    const rawlog::LogSurvey survey =
+        rawlog::surveyLog(first, config, std::numeric_limits<uint64_t>::max(),
+                          [&] { status.atEntry(first.place()); });
     if (survey.damage) throw *survey.damage;
     const ChosenPoses poses = choosePoses(options.shared, config, options.input, survey, false);
     const auto turn = rawlog::findTurn(second, survey, config, options.entry, options.input,
@@ -57,7 +58,9 @@ void render(const RenderOptions& options, const rawlog::Config& config, const co
                                              options.input.string(), options.entry));
     }
     rawlog::TurnReducer reducer(map, *poses.source, config, rawlog::OutputClass::Same);
-    const rawlog::ReducedTurn reduced = reducer.reduce(*turn, *rawlog::scanClassOf(*turn->front()));
+    const mrpt::obs::CObservation& scan = *turn->front();
+    const auto* scanClass = rawlog::scanClassOf(scan, config.sensorOf(scan.sensorLabel));
+    const rawlog::ReducedTurn reduced = reducer.reduce(*turn, *scanClass);
     view::FigureOptions figure;
     figure.title = options.input.filename().string();
     figure.fallbackSensorInMap = mrpt::poses::CPose3D();

@@ -24,9 +24,9 @@ std::vector<std::vector<Return>> scansAsPointClouds(const std::filesystem::path&
     std::vector<std::vector<Return>> scans;
     for (const auto& obs : observationsOf(file)) {
         if (!is3dScan(*obs)) continue;
-        const auto* scanClass = offmap::rawlog::scanClassOf(*obs);
+        const auto* scanClass = offmap::rawlog::scanClassOf(*obs, {});
         const std::vector<uint8_t> all(scanClass->slotCount(*obs), 1);
-        scans.push_back(returnsOf(*scanClass->asPointCloud(*obs, all)));
+        scans.push_back(returnsOf(*scanClass->asPointCloud(*obs, all, {})));
     }
     return scans;
 }

@@ -27,31 +27,31 @@ CObservationVelodyneScan vlp16() {
 }
 
 void expectUnsupported(const mrpt::obs::CObservation& obs, const char* what) {
-    EXPECT_EQ(scanClassOf(obs), nullptr);
-    const auto reason = unsupportedReason(obs);
+    EXPECT_EQ(scanClassOf(obs, {}), nullptr);
+    const auto reason = unsupportedReason(obs, {});
     ASSERT_TRUE(reason);
     EXPECT_THAT(*reason, HasSubstr(what));
     EXPECT_THAT(*reason, HasSubstr("not supported yet, copied unchanged"));
 }
 
 TEST(ScanClasses, supportedObservationsHaveTheirClass) {
-    EXPECT_TRUE(dynamic_cast<const VelodyneScan*>(scanClassOf(vlp16())));
-    EXPECT_TRUE(dynamic_cast<const VelodyneScan*>(scanClassOf(CObservationVelodyneScan())));
+    EXPECT_TRUE(dynamic_cast<const VelodyneScan*>(scanClassOf(vlp16(), {})));
+    EXPECT_TRUE(dynamic_cast<const VelodyneScan*>(scanClassOf(CObservationVelodyneScan(), {})));
     EXPECT_TRUE(
-        dynamic_cast<const PointCloudScan*>(scanClassOf(mrpt::obs::CObservationPointCloud())));
+        dynamic_cast<const PointCloudScan*>(scanClassOf(mrpt::obs::CObservationPointCloud(), {})));
     const auto fan = test::fanWithoutReturns(test::fanPose(10));
-    EXPECT_TRUE(dynamic_cast<const SweepScan*>(scanClassOf(*fan)));
-    EXPECT_FALSE(unsupportedReason(vlp16()));
-    EXPECT_FALSE(unsupportedReason(*fan));
+    EXPECT_TRUE(dynamic_cast<const SweepScan*>(scanClassOf(*fan, {})));
+    EXPECT_FALSE(unsupportedReason(vlp16(), {}));
+    EXPECT_FALSE(unsupportedReason(*fan, {}));
 }
 
 TEST(ScanClasses, levelScansAndImagesHaveNone) {
     const mrpt::obs::CObservation2DRangeScan level;
-    EXPECT_EQ(scanClassOf(level), nullptr);
-    EXPECT_FALSE(unsupportedReason(level));
+    EXPECT_EQ(scanClassOf(level, {}), nullptr);
+    EXPECT_FALSE(unsupportedReason(level, {}));
     const mrpt::obs::CObservationImage image;
-    EXPECT_EQ(scanClassOf(image), nullptr);
-    EXPECT_FALSE(unsupportedReason(image));
+    EXPECT_EQ(scanClassOf(image, {}), nullptr);
+    EXPECT_FALSE(unsupportedReason(image, {}));
 }
 
 TEST(ScanClasses, otherVelodynesAreNamed) {

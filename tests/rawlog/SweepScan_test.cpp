@@ -74,7 +74,7 @@ TEST(SweepScan, pointCloudIsInTheFrameOfTheScan) {
     fan->setScanRange(0, 1.5F);
     fan->setScanRangeValidity(0, true);
     fan->setScanRange(1, std::numeric_limits<float>::quiet_NaN());
-    const auto obs = SweepScan().asPointCloud(*fan, std::vector<uint8_t>{1, 1, 0});
+    const auto obs = SweepScan().asPointCloud(*fan, std::vector<uint8_t>{1, 1, 0}, {});
     const auto& cloud = dynamic_cast<const mrpt::obs::CObservationPointCloud&>(*obs);
     EXPECT_EQ(cloud.timestamp, fan->timestamp);
     EXPECT_EQ(cloud.sensorLabel, "SWEEP");
@@ -89,7 +89,7 @@ TEST(SweepScan, pointCloudHoldsIntensities) {
     const auto fan = fanIn(wallAhead(2), fanPose(0), {.aperture = 90, .rays = 3});
     fan->setScanHasIntensity(true);
     for (int i = 0; i < 3; ++i) fan->setScanIntensity(static_cast<size_t>(i), 100 + i);
-    const auto obs = SweepScan().asPointCloud(*fan, std::vector<uint8_t>{0, 1, 1});
+    const auto obs = SweepScan().asPointCloud(*fan, std::vector<uint8_t>{0, 1, 1}, {});
     const auto& cloud = dynamic_cast<const mrpt::obs::CObservationPointCloud&>(*obs);
     const auto& map = dynamic_cast<const mrpt::maps::CPointsMapXYZI&>(*cloud.pointcloud);
     ASSERT_EQ(map.size(), 2U);

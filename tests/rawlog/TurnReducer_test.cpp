@@ -58,7 +58,7 @@ TEST(TurnReducer, recordCountsWhatTheSlotsSay) {
     const test::DrivenVehicle poses{CPose3D()};
     for (const Turn& turn : {roomTurn(), cloudOfRoom()}) {
         TurnReducer reducer(map, poses, {}, OutputClass::Same);
-        const ReducedTurn reduced = reducer.reduce(turn, *scanClassOf(*turn.front()));
+        const ReducedTurn reduced = reducer.reduce(turn, *scanClassOf(*turn.front(), {}));
         EXPECT_GT(reduced.record.removed(), 0U);
         EXPECT_EQ(reduced.record.removed(), sumOf(reduced.removedSlots));
         EXPECT_LE(reduced.record.removed(), reduced.record.onVerticalSegments);
@@ -83,8 +83,8 @@ TEST(TurnReducer, repeatedReturnsShareTheFateOfTheFirst) {
     }
     ASSERT_EQ(doubled->pointcloud->size(), 2 * points);
 
-    const ReducedTurn single = reducer.reduce(once, *scanClassOf(*once.front()));
-    const ReducedTurn both = reducer.reduce({doubled}, *scanClassOf(*doubled));
+    const ReducedTurn single = reducer.reduce(once, *scanClassOf(*once.front(), {}));
+    const ReducedTurn both = reducer.reduce({doubled}, *scanClassOf(*doubled, {}));
     EXPECT_EQ(both.record.counts.duplicates, points);
     EXPECT_EQ(both.record.removed(), 2 * single.record.removed());
     EXPECT_EQ(both.record.onVerticalSegments, 2 * single.record.onVerticalSegments);
@@ -102,7 +102,7 @@ TEST(TurnReducer, turnWithoutPoseStaysAsItIs) {
     const Nowhere poses;
     TurnReducer reducer(map, poses, {}, OutputClass::Same);
     const Turn turn = roomTurn();
-    const ReducedTurn reduced = reducer.reduce(turn, *scanClassOf(*turn.front()));
+    const ReducedTurn reduced = reducer.reduce(turn, *scanClassOf(*turn.front(), {}));
     EXPECT_EQ(reduced.record.notReduced, "no_pose");
     EXPECT_EQ(reduced.record.columnsWithoutPose, 180U);
     EXPECT_EQ(sumOf(reduced.removedSlots), 0U);
@@ -132,7 +132,7 @@ TEST(TurnReducer, movementIsAppliedColumnByColumn) {
     byTurn.sensor.poseReference = PoseReference::Turn;
     const auto removedWith = [&](const Config& config) {
         return TurnReducer(map, poses, config, OutputClass::Same)
-            .reduce(turn, *scanClassOf(*turn.front()))
+            .reduce(turn, *scanClassOf(*turn.front(), {}))
             .record.removed();
     };
     Config asPosesSuggest;  // x, y of sensorPose do not vary: Column

@@ -189,7 +189,7 @@ TEST(VelodyneScan, pointCloudHoldsTheChosenReturnsWithIntensity) {
     scan.scan_packets = {packet};
     std::vector<uint8_t> keep(384, 1);
     keep[1] = 0;
-    const auto obs = VelodyneScan().asPointCloud(scan, keep);
+    const auto obs = VelodyneScan().asPointCloud(scan, keep, {});
     const auto& out = dynamic_cast<const mrpt::obs::CObservationPointCloud&>(*obs);
     EXPECT_EQ(out.sensorLabel, "VELODYNE");
     EXPECT_EQ(out.timestamp, scan.timestamp);

@@ -57,10 +57,11 @@ void LogReduction::add(const RawlogEntry& entry) {
         const bool chosen =
             settings_.sensors.empty() || settings_.sensors.contains(obs->sensorLabel);
         if (!chosen) return;
-        if (survey_.reducible(*obs)) {
+        const SensorConfig config = config_.sensorOf(obs->sensorLabel);
+        if (survey_.reducible(*obs, config)) {
             pending.object = entry.object;
             addObservation(pending, obs, position);
-        } else if (const auto reason = unsupportedReason(*obs)) {
+        } else if (const auto reason = unsupportedReason(*obs, config)) {
             onNotSupported(*reason);
         }
     });
@@ -83,10 +84,14 @@ void LogReduction::addObservation(PendingEntry& entry, const CObservation::Ptr& 
     reduceTurns(open->second.columns.add(*scan, member));
 }
 
+const ScanClass* LogReduction::scanClassIn(const Member& member) const {
+    return scanClassOf(*member.obs, config_.sensorOf(member.obs->sensorLabel));
+}
+
 /// False if it is to be copied as it is, because its file cannot be loaded.
 bool LogReduction::loadIfExternal(Member& member) const {
     try {
-        member.loaded = scanClassOf(*member.obs)->loadExternal(*member.obs, settings_.input);
+        member.loaded = scanClassIn(member)->loadExternal(*member.obs, settings_.input);
         return true;
     } catch (const std::exception&) {
         if (!settings_.keepGoing) throw;
@@ -108,7 +113,7 @@ void LogReduction::reduceTurns(const std::vector<std::vector<Member>>& turns) {
 }
 
 void LogReduction::reduceTurn(const std::vector<Member>& members) {
-    const ScanClass& scanClass = *scanClassOf(*members.front().obs);
+    const ScanClass& scanClass = *scanClassIn(members.front());
     Turn turn;
     for (const Member& member : members) turn.push_back(member.obs);
     ReducedTurn reduced = reducer_.reduce(turn, scanClass);

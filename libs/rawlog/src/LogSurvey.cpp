@@ -15,7 +15,7 @@ using mrpt::obs::CObservation2DRangeScan;
 
 namespace {
 
-void see(LogSurvey& survey, const CObservation& obs) {
+void see(LogSurvey& survey, const Config& config, const CObservation& obs) {
     if (const auto* pose = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&obs)) {
         survey.poses[obs.sensorLabel].push_back(stampedPose(*pose));
         return;
@@ -24,8 +24,8 @@ void see(LogSurvey& survey, const CObservation& obs) {
     if (sensor.observations++ == 0) sensor.className = classNameOf(obs);
     if (const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(&obs)) {
         sensor.sweep.see(*scan);
-    } else if (scanClassOf(obs)) {
-        sensor.scans3d = true;
+    } else if (!sensor.scans3d) {
+        sensor.scans3d = scanClassOf(obs, config.sensorOf(obs.sensorLabel)) != nullptr;
     }
 }
 
@@ -35,14 +35,14 @@ bool LogSurvey::holdsScans() const {
     return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.second.scans3d; });
 }
 
-bool LogSurvey::reducible(const CObservation& obs) const {
-    if (!scanClassOf(obs)) return false;
+bool LogSurvey::reducible(const CObservation& obs, const SensorConfig& config) const {
+    if (!scanClassOf(obs, config)) return false;
     if (!dynamic_cast<const CObservation2DRangeScan*>(&obs)) return true;
     const auto sensor = sensors.find(obs.sensorLabel);
     return sensor != sensors.end() && sensor->second.sweep.isSweep();
 }
 
-LogSurvey surveyLog(RawlogReader& reader, uint64_t maxEntries,
+LogSurvey surveyLog(RawlogReader& reader, const Config& config, uint64_t maxEntries,
                     const std::function<void()>& onEntry) {
     LogSurvey survey;
     try {
@@ -51,8 +51,9 @@ LogSurvey surveyLog(RawlogReader& reader, uint64_t maxEntries,
             const auto entry = reader.next();
             if (!entry) break;
             ++survey.entries;
-            forEachObservation(entry->object,
-                               [&](const CObservation::Ptr& obs, size_t) { see(survey, *obs); });
+            forEachObservation(entry->object, [&](const CObservation::Ptr& obs, size_t) {
+                see(survey, config, *obs);
+            });
         }
     } catch (const RawlogError& error) {
         survey.damage.emplace(error);

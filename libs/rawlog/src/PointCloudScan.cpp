@@ -106,7 +106,8 @@ mrpt::obs::CObservation::Ptr PointCloudScan::withOnly(const mrpt::obs::CObservat
 }
 
 mrpt::obs::CObservation::Ptr PointCloudScan::asPointCloud(const mrpt::obs::CObservation& obs,
-                                                          SlotMask keep) const {
+                                                          SlotMask keep,
+                                                          const SensorConfig& /*config*/) const {
     return withOnly(obs, keep, Leftovers::Keep);
 }
 

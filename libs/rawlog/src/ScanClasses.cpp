@@ -11,7 +11,7 @@
 
 namespace offmap::rawlog {
 
-const ScanClass* scanClassOf(const mrpt::obs::CObservation& obs) {
+const ScanClass* scanClassOf(const mrpt::obs::CObservation& obs, const SensorConfig& /*config*/) {
     static const VelodyneScan velodyne;
     static const PointCloudScan pointCloud;
     static const SweepScan sweep;
@@ -25,7 +25,8 @@ const ScanClass* scanClassOf(const mrpt::obs::CObservation& obs) {
     return nullptr;
 }
 
-std::optional<std::string> unsupportedReason(const mrpt::obs::CObservation& obs) {
+std::optional<std::string> unsupportedReason(const mrpt::obs::CObservation& obs,
+                                             const SensorConfig& /*config*/) {
     if (const auto* scan = dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&obs)) {
         return unsupportedVelodyne(*scan);
     }

@@ -67,7 +67,8 @@ mrpt::obs::CObservation::Ptr SweepScan::withOnly(const mrpt::obs::CObservation& 
 }
 
 mrpt::obs::CObservation::Ptr SweepScan::asPointCloud(const mrpt::obs::CObservation& obs,
-                                                     SlotMask keep) const {
+                                                     SlotMask keep,
+                                                     const SensorConfig& /*config*/) const {
     checkMask(obs, keep);
     const Scan& scan = asScan(obs);
     auto out = mrpt::obs::CObservationPointCloud::Create();

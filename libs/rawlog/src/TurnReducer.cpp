@@ -83,8 +83,9 @@ const SensorConfig& TurnReducer::sensorOf(const std::string& label) {
 }
 
 CObservation::Ptr TurnReducer::select(const CObservation& obs, const ScanClass& scanClass,
-                                      SlotMask keep, Leftovers leftovers) const {
-    return output_ == OutputClass::Points ? scanClass.asPointCloud(obs, keep)
+                                      SlotMask keep, Leftovers leftovers,
+                                      const SensorConfig& config) const {
+    return output_ == OutputClass::Points ? scanClass.asPointCloud(obs, keep, config)
                                           : scanClass.withOnly(obs, keep, leftovers);
 }
 
@@ -93,7 +94,8 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     ReducedTurn out;
     size_t slots = 0;
     for (const auto& obs : turn) slots += scanClass.slotCount(*obs);
-    out.organized = scanClass.organize(turn, poses_, sensorOf(turn.front()->sensorLabel));
+    const SensorConfig& config = sensorOf(turn.front()->sensorLabel);
+    out.organized = scanClass.organize(turn, poses_, config);
     result_ = &reducer_.reduce(out.organized.scan);
     out.removedSlots = removedSlots(out.organized, *result_, slots);
 
@@ -104,7 +106,8 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
         const SlotMask own = SlotMask(keep).subspan(first, scanClass.slotCount(*obs));
         first += own.size();
         const bool unchanged = output_ == OutputClass::Same && std::ranges::count(own, 0) == 0;
-        out.reduced.push_back(unchanged ? nullptr : select(*obs, scanClass, own, Leftovers::Keep));
+        out.reduced.push_back(unchanged ? nullptr
+                                        : select(*obs, scanClass, own, Leftovers::Keep, config));
     }
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
 
@@ -120,13 +123,14 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
 std::vector<CObservation::Ptr> TurnReducer::removedFrom(const Turn& turn,
                                                         const ReducedTurn& reduced,
                                                         const ScanClass& scanClass) const {
+    const SensorConfig config = config_.sensorOf(turn.front()->sensorLabel);
     std::vector<CObservation::Ptr> removed;
     size_t first = 0;
     for (const auto& obs : turn) {
         const SlotMask own =
             SlotMask(reduced.removedSlots).subspan(first, scanClass.slotCount(*obs));
         first += own.size();
-        removed.push_back(select(*obs, scanClass, own, Leftovers::Drop));
+        removed.push_back(select(*obs, scanClass, own, Leftovers::Drop, config));
     }
     return removed;
 }

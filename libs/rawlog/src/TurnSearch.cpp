@@ -41,14 +41,15 @@ std::optional<Turn> findTurn(RawlogReader& reader, const LogSurvey& survey, cons
         }
     };
     const auto look = [&](const CObservation::Ptr& obs, uint64_t index) {
-        if (found || !survey.reducible(*obs)) return;
+        if (found) return;
+        const SensorConfig own = config.sensorOf(obs->sensorLabel);
+        if (!survey.reducible(*obs, own)) return;
         const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(obs.get());
         if (scan) {
-            const auto& label = obs->sensorLabel;
-            auto& turn = open.try_emplace(label, config.sensorOf(label)).first->second;
+            auto& turn = open.try_emplace(obs->sensorLabel, own).first->second;
             take(turn.add(*scan, {obs, index}));
         } else if (index >= entry) {
-            scanClassOf(*obs)->loadExternal(*obs, input);
+            scanClassOf(*obs, own)->loadExternal(*obs, input);
             found = Turn{obs};
         }
     };

@@ -76,7 +76,8 @@ mrpt::obs::CObservation::Ptr VelodyneScan::withOnly(const mrpt::obs::CObservatio
 }
 
 mrpt::obs::CObservation::Ptr VelodyneScan::asPointCloud(const mrpt::obs::CObservation& obs,
-                                                        SlotMask keep) const {
+                                                        SlotMask keep,
+                                                        const SensorConfig& /*config*/) const {
     checkMask(obs, keep);
     const Scan& scan = asScan(obs);
     const VelodyneReturns decoded = decodePackets(scan);

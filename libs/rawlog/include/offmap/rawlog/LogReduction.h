@@ -69,6 +69,7 @@ class LogReduction {
         mrpt::obs::CObservation::Ptr obs;
         bool loaded;  // from a file of its own: to be written even if nothing is removed
     };
+    const ScanClass* scanClassIn(const Member& member) const;
     bool loadIfExternal(Member& member) const;
     void addObservation(PendingEntry& entry, const mrpt::obs::CObservation::Ptr& obs,
                         size_t position);

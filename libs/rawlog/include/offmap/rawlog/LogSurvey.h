@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/PoseTrack.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/SweepTurns.h>
@@ -33,12 +34,12 @@ struct LogSurvey {
     std::optional<RawlogError> damage;                      ///< where reading ended too early
 
     bool holdsScans() const;
-    /// Whether offmap knows how to reduce this observation.
-    bool reducible(const mrpt::obs::CObservation& obs) const;
+    /// Whether offmap knows how to reduce this observation. \param config of its sensor
+    bool reducible(const mrpt::obs::CObservation& obs, const SensorConfig& config) const;
 };
 
 /// Reads a log once, up to maxEntries. \param onEntry called before each entry is read
-LogSurvey surveyLog(RawlogReader& reader, uint64_t maxEntries,
+LogSurvey surveyLog(RawlogReader& reader, const Config& config, uint64_t maxEntries,
                     const std::function<void()>& onEntry);
 
 }  // namespace offmap::rawlog

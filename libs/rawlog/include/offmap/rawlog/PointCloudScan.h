@@ -23,8 +23,8 @@ class PointCloudScan final : public ScanClass {
     /// Same class of map, all of its channels and options.
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
                                           Leftovers leftovers) const override;
-    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
-                                              SlotMask keep) const override;
+    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs, SlotMask keep,
+                                              const SensorConfig& config) const override;
 };
 
 }  // namespace offmap::rawlog

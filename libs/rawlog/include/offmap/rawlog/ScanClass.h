@@ -78,7 +78,8 @@ class ScanClass {
 
     /// The chosen returns as a CObservationPointCloud of the same time, label and sensor pose.
     virtual mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
-                                                      SlotMask keep) const = 0;
+                                                      SlotMask keep,
+                                                      const SensorConfig& config) const = 0;
 
  protected:
     /// \throw std::invalid_argument unless the mask has one entry per slot.

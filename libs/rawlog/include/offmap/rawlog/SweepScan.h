@@ -18,8 +18,8 @@ class SweepScan final : public ScanClass {
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
                                           Leftovers leftovers) const override;
     /// CSimplePointsMap, or CPointsMapXYZI with the intensities of the rays as they are.
-    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
-                                              SlotMask keep) const override;
+    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs, SlotMask keep,
+                                              const SensorConfig& config) const override;
 };
 
 }  // namespace offmap::rawlog

@@ -53,7 +53,7 @@ class TurnReducer {
     const SensorConfig& sensorOf(const std::string& label);
     mrpt::obs::CObservation::Ptr select(const mrpt::obs::CObservation& obs,
                                         const ScanClass& scanClass, SlotMask keep,
-                                        Leftovers leftovers) const;
+                                        Leftovers leftovers, const SensorConfig& config) const;
 
     core::Reducer reducer_;
     const PoseSource& poses_;

@@ -22,8 +22,8 @@ class VelodyneScan final : public ScanClass {
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
                                           Leftovers leftovers) const override;
     /// CPointsMapXYZI, intensities from 0 to 1.
-    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
-                                              SlotMask keep) const override;
+    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs, SlotMask keep,
+                                              const SensorConfig& config) const override;
 };
 
 /// Why a Velodyne scan cannot be decoded; none if it can.
