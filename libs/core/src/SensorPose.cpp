@@ -2,6 +2,9 @@
 #include <offmap/core/SensorPose.h>
 
 #include <Eigen/Eigenvalues>
+#include <mrpt/math/TPose3D.h>
+
+#include <cmath>
 
 namespace offmap::core {
 
@@ -55,6 +58,16 @@ bool isPositiveSemidefinite(const Eigen::Ref<const Eigen::MatrixXd>& covariance)
     if ((covariance - covariance.transpose()).cwiseAbs().maxCoeff() > tolerance) return false;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance, Eigen::EigenvaluesOnly);
     return solver.info() == Eigen::Success && solver.eigenvalues()(0) >= -tolerance;
+}
+
+std::optional<PoseFault> faultOf(const mrpt::poses::CPose3DPDFGaussian& estimate) {
+    const mrpt::math::TPose3D mean = estimate.mean.asTPose();
+    for (size_t i = 0; i < mrpt::math::TPose3D::static_size; ++i) {
+        if (!std::isfinite(mean[i])) return PoseFault::NotFinite;
+    }
+    if (!estimate.cov.asEigen().allFinite()) return PoseFault::NotFinite;
+    if (!isPositiveSemidefinite(estimate.cov.asEigen())) return PoseFault::NotPsd;
+    return std::nullopt;
 }
 
 }  // namespace offmap::core

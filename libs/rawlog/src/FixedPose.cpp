@@ -21,6 +21,15 @@ FixedPose::FixedPose(const mrpt::math::TPose2D& vehicleInMap, double sigmaPositi
     pose_.groundCovariance.diagonal() << variance, variance, sigmaHeading * sigmaHeading;
 }
 
+FixedPose::FixedPose(const mrpt::poses::CPose3DPDFGaussian& vehicleInMap) {
+    if (const auto fault = core::faultOf(vehicleInMap)) {
+        pose_.fault = *fault;
+        return;
+    }
+    pose_.vehicleInMap = vehicleInMap.mean;
+    pose_.groundCovariance = core::groundBlock(vehicleInMap.cov);
+}
+
 PoseLookup FixedPose::at(mrpt::Clock::time_point) const { return pose_; }
 
 }  // namespace offmap::rawlog

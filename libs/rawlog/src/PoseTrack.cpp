@@ -23,11 +23,6 @@ double secondsBetween(TimePoint earlier, TimePoint later) {
     return static_cast<double>(ticks) * Period::num / Period::den;
 }
 
-bool isFinite(const TPose3D& pose) {
-    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.z) &&
-           std::isfinite(pose.yaw) && std::isfinite(pose.pitch) && std::isfinite(pose.roll);
-}
-
 Eigen::Matrix3d covarianceOf(const StampedPose& pose) {
     const auto& c = pose.groundCovariance;
     Eigen::Matrix3d covariance;
@@ -67,16 +62,13 @@ PoseLookup none(core::PoseFault fault) { return {std::nullopt, Eigen::Matrix3d::
 }  // namespace
 
 StampedPose stampedPose(const mrpt::obs::CObservationRobotPose& observation) {
-    StampedPose pose{observation.timestamp, observation.pose.mean.asTPose(), {}, {}};
-    const auto& covariance = observation.pose.cov;
-    const Eigen::Matrix3d ground = core::groundBlock(covariance);
+    StampedPose pose{observation.timestamp,
+                     observation.pose.mean.asTPose(),
+                     {},
+                     core::faultOf(observation.pose)};
+    const Eigen::Matrix3d ground = core::groundBlock(observation.pose.cov);
     pose.groundCovariance = {ground(0, 0), ground(0, 1), ground(0, 2),
                              ground(1, 1), ground(1, 2), ground(2, 2)};
-    if (!isFinite(pose.vehicleInMap) || !covariance.asEigen().allFinite()) {
-        pose.fault = core::PoseFault::NotFinite;
-    } else if (!core::isPositiveSemidefinite(covariance.asEigen())) {
-        pose.fault = core::PoseFault::NotPsd;
-    }
     return pose;
 }
 

@@ -58,9 +58,7 @@ std::vector<uint8_t> removedSlots(const TurnScan& turn, const core::ReductionRes
                                   size_t slots) {
     std::vector<uint8_t> removed(slots, 0);
     for (size_t i = 0; i < result.labels.size(); ++i) {
-        const core::PointLabel label = result.labels[i];
-        removed[turn.scan.sourceIndex[i]] =
-            label == core::PointLabel::Mapped || label == core::PointLabel::Orphan;
+        removed[turn.scan.sourceIndex[i]] = core::isRemoved(result.labels[i]);
     }
     for (const DuplicateReturn& duplicate : turn.duplicates) {
         removed[duplicate.slot] = removed[turn.scan.sourceIndex[duplicate.point]];

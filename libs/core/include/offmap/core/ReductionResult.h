@@ -18,6 +18,11 @@ namespace offmap::core {
 /// request, 3.4.
 enum class PointLabel : uint8_t { NotOnVerticalSegment, Kept, Mapped, Orphan };
 
+/// Whether a reduced scan is without the returns of this label.
+constexpr bool isRemoved(PointLabel label) {
+    return label == PointLabel::Mapped || label == PointLabel::Orphan;
+}
+
 /// What became of a vertical segment.
 enum class Verdict : uint8_t {
     MappedByRay,        ///< the ray through it meets a wall at its ground range (section 3.2)

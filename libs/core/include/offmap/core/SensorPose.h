@@ -6,6 +6,7 @@
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace offmap::core {
@@ -42,5 +43,8 @@ Eigen::Matrix3d groundBlock(const mrpt::math::CMatrixDouble66& covariance);
 
 /// True if symmetric, finite and without an eigenvalue below zero (to rounding).
 bool isPositiveSemidefinite(const Eigen::Ref<const Eigen::MatrixXd>& covariance);
+
+/// Why an estimate cannot be used, if so: NotFinite or NotPsd.
+std::optional<PoseFault> faultOf(const mrpt::poses::CPose3DPDFGaussian& estimate);
 
 }  // namespace offmap::core
