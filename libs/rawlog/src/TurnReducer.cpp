@@ -13,7 +13,7 @@ using mrpt::obs::CObservation;
 namespace {
 
 /// Returns on each segment: its points, and those that repeat them.
-std::vector<uint64_t> returnsOnSegments(const TurnScan& turn, const core::ReductionResult& result) {
+std::vector<uint64_t> returnsPerSegment(const TurnScan& turn, const core::ReductionResult& result) {
     std::vector<uint64_t> returns;
     for (const auto& segment : result.segments) returns.push_back(segment.end - segment.begin);
     if (turn.duplicates.empty()) return returns;
@@ -28,13 +28,13 @@ std::vector<uint64_t> returnsOnSegments(const TurnScan& turn, const core::Reduct
 }
 
 /// Fills in what the result says; the rest of the record is known before.
-void record(const TurnScan& turn, const core::ReductionResult& result, TurnRecord& out) {
+void record(const TurnScan& turn, const std::vector<uint64_t>& returns,
+            const core::ReductionResult& result, TurnRecord& out) {
     for (const core::ScanColumn& column : turn.scan.columns) {
         out.columns += column.begin != column.end;
     }
     out.columnsWithoutPose = result.columnsWithoutPose;
     if (result.notReduced) out.notReduced = core::toString(*result.notReduced);
-    const std::vector<uint64_t> returns = returnsOnSegments(turn, result);
     for (size_t s = 0; s < returns.size(); ++s) {
         out.onVerticalSegments += returns[s];
         switch (result.matches[s].verdict) {
@@ -114,7 +114,8 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     out.record.time = turn.front()->timestamp;
     out.record.label = turn.front()->sensorLabel;
     out.record.className = classNameOf(*turn.front());
-    record(out.organized, *result_, out.record);
+    out.returnsPerSegment = returnsPerSegment(out.organized, *result_);
+    record(out.organized, out.returnsPerSegment, *result_, out.record);
     return out;
 }
 

@@ -27,7 +27,8 @@ struct ReducedTurn {
     /// Per observation of the turn; null if nothing was removed from it, so that it may be copied
     /// as it is.
     std::vector<mrpt::obs::CObservation::Ptr> reduced;
-    std::vector<uint8_t> removedSlots;  ///< per slot of the turn, 0 or 1
+    std::vector<uint8_t> removedSlots;        ///< per slot of the turn, 0 or 1
+    std::vector<uint64_t> returnsPerSegment;  ///< those that repeat a point counted too
 };
 
 /// Reduces observations in memory: organises them into columns, asks core what is mapped, takes it
