@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/ReductionTotals.h>
+#include <offmap/rawlog/ReportFile.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <type_traits>
 
 namespace offmap::rawlog {
 namespace {
@@ -58,6 +62,55 @@ TEST(ReductionTotals, addUp) {
     EXPECT_EQ(totals.scansNotReduced(), 1U);
     EXPECT_EQ(totals.columnsWithoutPose, 10U);
     EXPECT_NEAR(totals.logSeconds(), 3.5, 1e-6);  // the clock counts 100 ns
+}
+
+/// Two scans, of which each figure is another.
+ReductionTotals someTotals(uint64_t begin, double time) {
+    TurnRecord turn;
+    forEachCount(
+        [&](const char*, auto& count) {
+            count = static_cast<std::remove_reference_t<decltype(count)>>(begin++);
+        },
+        turn);
+    for (uint64_t& count : turn.keptByReason) count = begin++;
+    turn.keptByReason[static_cast<size_t>(core::KeepReason::None)] = 0;
+    turn.milliseconds = 1;
+    turn.time = mrpt::Clock::fromDouble(time);
+    ReductionTotals totals;
+    totals.add(turn);
+    turn.time = mrpt::Clock::fromDouble(time + 1.5);
+    turn.notReduced = "no_pose";
+    totals.add(turn);
+    totals.notSupported["HDL-64"] = begin;
+    return totals;
+}
+
+TEST(ReductionTotals, ofSeveralLogsAreSums) {
+    const ReductionTotals a = someTotals(1, 100), b = someTotals(1000, 5000);
+    ReductionTotals both;
+    both.merge(a);
+    both.merge(b);
+    EXPECT_EQ(both.scans, 4U);
+    EXPECT_EQ(both.scansNotReduced(), 2U);
+    EXPECT_EQ(both.observationsNotSupported(),
+              a.observationsNotSupported() + b.observationsNotSupported());
+    forEachCount([](const char* key, uint64_t sum, uint64_t first,
+                    uint64_t second) { EXPECT_EQ(sum, first + second) << key; },
+                 both, a, b);
+    for (size_t r = 0; r < both.keptByReason.size(); ++r) {
+        EXPECT_EQ(both.keptByReason[r], a.keptByReason[r] + b.keptByReason[r]);
+    }
+    EXPECT_EQ(both.milliseconds.quantile(0.5), a.milliseconds.quantile(0.5));
+    EXPECT_NEAR(both.logSeconds(), 3.0, 1e-6);  // not what lies between the logs
+}
+
+TEST(ReductionTotals, areReadBackFromAReport) {
+    const ReductionTotals totals = someTotals(1, 100);
+    ReductionTotals again = totalsFrom(toJson(totals));
+    again.milliseconds = DurationHistogram(totals.milliseconds.bins());
+    EXPECT_EQ(toJson(again), toJson(totals));
+    EXPECT_EQ(again.removed(), totals.removed());
+    EXPECT_THROW(DurationHistogram({1, 2, 3}), std::invalid_argument);
 }
 
 TEST(ReductionTotals, goodResultGivesNoWarning) {

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
 
 namespace offmap::rawlog {
 
@@ -20,12 +23,31 @@ uint64_t sum(const std::map<std::string, uint64_t>& counts) {
     return total;
 }
 
+template <class Figures>
+void addCounts(const Figures& figures, ReductionTotals& totals) {
+    forEachCount([](const char*, uint64_t& total, const auto& count) { total += count; }, totals,
+                 figures);
+    for (size_t r = 0; r < totals.keptByReason.size(); ++r) {
+        totals.keptByReason[r] += figures.keptByReason[r];
+    }
+}
+
 }  // namespace
+
+DurationHistogram::DurationHistogram(std::vector<uint64_t> bins)
+    : bins_(std::move(bins)), count_(std::accumulate(bins_.begin(), bins_.end(), uint64_t{0})) {
+    if (bins_.size() != binCount) throw std::invalid_argument("not the bins of durations");
+}
 
 void DurationHistogram::add(double milliseconds) {
     const double bin = std::log(std::max(milliseconds, shortest) / shortest) / std::log(binRatio);
     ++bins_[std::min(static_cast<size_t>(bin), binCount - 1)];
     ++count_;
+}
+
+void DurationHistogram::merge(const DurationHistogram& other) {
+    for (size_t bin = 0; bin < binCount; ++bin) bins_[bin] += other.bins_[bin];
+    count_ += other.count_;
 }
 
 std::optional<double> DurationHistogram::quantile(double share) const {
@@ -44,27 +66,27 @@ std::optional<double> DurationHistogram::quantile(double share) const {
 void ReductionTotals::add(const TurnRecord& turn) {
     ++scans;
     if (!turn.notReduced.empty()) ++notReduced[turn.notReduced];
-    columns += turn.columns;
-    columnsWithoutPose += turn.columnsWithoutPose;
-    counts.returns += turn.counts.returns;
-    counts.nonFinite += turn.counts.nonFinite;
-    counts.zero += turn.counts.zero;
-    counts.duplicates += turn.counts.duplicates;
-    onVerticalSegments += turn.onVerticalSegments;
-    removedByRay += turn.removedByRay;
-    removedByExtension += turn.removedByExtension;
-    removedAsOrphans += turn.removedAsOrphans;
-    for (size_t r = 0; r < keptByReason.size(); ++r) keptByReason[r] += turn.keptByReason[r];
+    addCounts(turn, *this);
     milliseconds.add(turn.milliseconds);
     firstTime = firstTime ? std::min(*firstTime, turn.time) : turn.time;
     lastTime = lastTime ? std::max(*lastTime, turn.time) : turn.time;
+}
+
+void ReductionTotals::merge(const ReductionTotals& other) {
+    scans += other.scans;
+    for (const auto& [reason, count] : other.notReduced) notReduced[reason] += count;
+    for (const auto& [reason, count] : other.notSupported) notSupported[reason] += count;
+    addCounts(other, *this);
+    milliseconds.merge(other.milliseconds);
+    mergedLogSeconds += other.logSeconds();
 }
 
 uint64_t ReductionTotals::scansNotReduced() const { return sum(notReduced); }
 uint64_t ReductionTotals::observationsNotSupported() const { return sum(notSupported); }
 
 double ReductionTotals::logSeconds() const {
-    return firstTime ? std::chrono::duration<double>(*lastTime - *firstTime).count() : 0;
+    const auto own = firstTime ? *lastTime - *firstTime : mrpt::Clock::duration(0);
+    return mergedLogSeconds + std::chrono::duration<double>(own).count();
 }
 
 std::vector<std::string> ReductionTotals::warnings() const {

@@ -17,10 +17,14 @@ double secondsSinceEpoch(mrpt::Clock::time_point time) { return mrpt::Clock::toD
 /// To the microsecond: what is beyond is noise and makes a file hard to read.
 double rounded(double milliseconds) { return std::round(1000 * milliseconds) / 1000; }
 
+std::string keyOf(size_t keepReason) {
+    return std::string(core::toString(static_cast<core::KeepReason>(keepReason)));
+}
+
 ordered_json keptJson(const std::array<uint64_t, core::keepReasonCount>& kept) {
     ordered_json out = ordered_json::object();
     for (size_t r = 1; r < kept.size(); ++r) {
-        out[std::string(core::toString(static_cast<core::KeepReason>(r)))] = kept[r];
+        out[keyOf(r)] = kept[r];
     }
     return out;
 }
@@ -28,18 +32,10 @@ ordered_json keptJson(const std::array<uint64_t, core::keepReasonCount>& kept) {
 /// The figures that a turn and the whole log have in common.
 template <class Figures>
 void addPoints(const Figures& figures, ordered_json& out) {
-    out["points"] = figures.counts.returns;
-    out["points_on_vertical_segments"] = figures.onVerticalSegments;
+    for (const char* first : {"points", "points_on_vertical_segments"}) out[first] = 0;
     out["points_removed"] = figures.removed();
-    out["points_removed_by_ray"] = figures.removedByRay;
-    out["points_removed_by_extension"] = figures.removedByExtension;
-    out["points_removed_as_orphans"] = figures.removedAsOrphans;
+    forEachCount([&](const char* key, const auto& count) { out[key] = count; }, figures);
     out["points_kept_by_reason"] = keptJson(figures.keptByReason);
-    out["slots_without_return"] = figures.counts.zero;
-    out["points_not_finite"] = figures.counts.nonFinite;
-    out["points_duplicate"] = figures.counts.duplicates;
-    out["columns"] = figures.columns;
-    out["columns_without_pose"] = figures.columnsWithoutPose;
 }
 
 ordered_json turnJson(const TurnRecord& turn, uint64_t index) {
@@ -55,7 +51,14 @@ ordered_json turnJson(const TurnRecord& turn, uint64_t index) {
     return out;
 }
 
-ordered_json totalsJson(const ReductionTotals& totals) {
+/// Labels come from a file and may hold any bytes.
+std::string text(const ordered_json& json, int indent) {
+    return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+ordered_json toJson(const ReductionTotals& totals) {
     ordered_json out;
     out["scans"] = totals.scans;
     out["scans_not_reduced"] = totals.notReduced;
@@ -69,12 +72,19 @@ ordered_json totalsJson(const ReductionTotals& totals) {
     return out;
 }
 
-/// Labels come from a file and may hold any bytes.
-std::string text(const ordered_json& json, int indent) {
-    return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+ReductionTotals totalsFrom(const ordered_json& json) {
+    ReductionTotals totals;
+    totals.scans = json.at("scans");
+    totals.notReduced = json.at("scans_not_reduced");
+    totals.notSupported = json.at("observations_not_supported");
+    forEachCount([&](const char* key, uint64_t& count) { count = json.at(key); }, totals);
+    const ordered_json& kept = json.at("points_kept_by_reason");
+    for (size_t r = 1; r < totals.keptByReason.size(); ++r) {
+        totals.keptByReason[r] = kept.at(keyOf(r));
+    }
+    totals.mergedLogSeconds = json.at("log_s");
+    return totals;
 }
-
-}  // namespace
 
 void ReportFile::begin(const ordered_json& head) {
     file_.write("{\n");
@@ -90,7 +100,7 @@ void ReportFile::add(const TurnRecord& turn) {
 }
 
 void ReportFile::finish(const ReductionTotals& totals, const ordered_json& tail) {
-    file_.write("\n],\n\"totals\": " + text(totalsJson(totals), 2));
+    file_.write("\n],\n\"totals\": " + text(toJson(totals), 2));
     for (const auto& [key, value] : tail.items()) {
         file_.write(",\n" + text(key, -1) + ": " + text(value, -1));
     }

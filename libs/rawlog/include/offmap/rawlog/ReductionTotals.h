@@ -19,8 +19,12 @@ namespace offmap::rawlog {
 class DurationHistogram {
  public:
     DurationHistogram() : bins_(binCount, 0) {}
+    /// \param bins of another one \throw std::invalid_argument if they cannot be
+    explicit DurationHistogram(std::vector<uint64_t> bins);
 
     void add(double milliseconds);
+    void merge(const DurationHistogram& other);
+    const std::vector<uint64_t>& bins() const { return bins_; }
     /// [ms] to within 0.5 %; none without a duration.
     std::optional<double> quantile(double share) const;
 
@@ -30,7 +34,7 @@ class DurationHistogram {
     uint64_t count_ = 0;
 };
 
-/// What became of a whole log, in figures.
+/// What became of a whole log, or of several, in figures.
 struct ReductionTotals {
     uint64_t scans = 0;                            ///< turns
     std::map<std::string, uint64_t> notReduced;    ///< turns kept whole, by reason
@@ -42,13 +46,16 @@ struct ReductionTotals {
     std::array<uint64_t, core::keepReasonCount> keptByReason{};               ///< points
     DurationHistogram milliseconds;                                           ///< per turn
     std::optional<mrpt::Clock::time_point> firstTime, lastTime;               ///< of turns
+    double mergedLogSeconds = 0;  ///< [s] of the logs that were merged into these
 
     void add(const TurnRecord& turn);
+    /// Adds what became of another log.
+    void merge(const ReductionTotals& other);
 
     uint64_t removed() const { return removedByRay + removedByExtension + removedAsOrphans; }
     uint64_t scansNotReduced() const;
     uint64_t observationsNotSupported() const;
-    /// [s] from the first to the last turn of the log.
+    /// [s] from the first to the last turn of the log; of several, the sum.
     double logSeconds() const;
 
     /// What smells, a sentence each that says what to look at.

@@ -11,6 +11,13 @@
 
 namespace offmap::rawlog {
 
+/// The totals as a report holds them.
+nlohmann::ordered_json toJson(const ReductionTotals& totals);
+
+/// The other way round, but for the durations of single scans, which a report does not hold.
+/// \throw nlohmann::json::exception if it is something else
+ReductionTotals totalsFrom(const nlohmann::ordered_json& json);
+
 /// A record of a reduction as JSON, written turn by turn, so that it costs no memory. Its keys are
 /// stable; doc/formats.md tells what they mean.
 class ReportFile {

@@ -31,4 +31,20 @@ struct TurnRecord {
     uint64_t removed() const { return removedByRay + removedByExtension + removedAsOrphans; }
 };
 
+/// Visits the counts that the figures of a turn and of a whole log have in common, with their key
+/// in a report: visit(key, count of the first figures, count of the second, ...).
+template <class Visit, class... Figures>
+void forEachCount(const Visit& visit, Figures&... figures) {
+    visit("points", figures.counts.returns...);
+    visit("points_on_vertical_segments", figures.onVerticalSegments...);
+    visit("points_removed_by_ray", figures.removedByRay...);
+    visit("points_removed_by_extension", figures.removedByExtension...);
+    visit("points_removed_as_orphans", figures.removedAsOrphans...);
+    visit("slots_without_return", figures.counts.zero...);
+    visit("points_not_finite", figures.counts.nonFinite...);
+    visit("points_duplicate", figures.counts.duplicates...);
+    visit("columns", figures.columns...);
+    visit("columns_without_pose", figures.columnsWithoutPose...);
+}
+
 }  // namespace offmap::rawlog
