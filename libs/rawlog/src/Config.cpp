@@ -2,13 +2,23 @@
 #include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/ParameterTable.h>
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
 namespace offmap::rawlog {
 
 void Config::validate() const {
     for (const Parameter& p : parameters()) p.check(*this);
     reduction.validate();
     sensor.validate();
-    for (const auto& [label, settings] : sensors) sensorOf(label).validate();
+    for (const auto& [label, settings] : sensors) {
+        try {
+            sensorOf(label).validate();
+        } catch (const std::invalid_argument& e) {
+            throw std::invalid_argument(fmt::format("sensors.{}: {}", label, e.what()));
+        }
+    }
 }
 
 SensorConfig Config::sensorOf(const std::string& label) const {
@@ -16,7 +26,7 @@ SensorConfig Config::sensorOf(const std::string& label) const {
     own.sensor = sensor;
     if (const auto set = sensors.find(label); set != sensors.end()) {
         for (const auto& [name, text] : set->second) {
-            findParameter("sensor." + name).setText(own, text);
+            findSensorParameter(name).setText(own, text);
         }
     }
     if (const auto mounting = mountings.find(label); mounting != mountings.end()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/ConfigFile.h>
 #include <offmap/rawlog/ParameterTable.h>
+#include <offmap/rawlog/SensorSettings.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -69,14 +70,61 @@ std::string valueText(const Parameter& parameter, const YAML::Node& key, const Y
                        list ? "a list of numbers" : "one value", parameter.allowed()));
 }
 
-std::string applyEntry(Config& config, const std::string& fullKey, const YAML::Node& key,
+/// What a map of settings is for.
+struct Section {
+    std::string name;                  ///< "vertical", "sensors.LABEL"
+    std::optional<std::string> label;  ///< of the single sensor that it sets
+};
+
+/// \return the full key
+std::string applyEntry(Config& config, const Section& section, const YAML::Node& key,
                        const YAML::Node& value) {
+    const std::string& name = key.Scalar();
+    const std::string fullKey = section.name + '.' + name;
     try {
-        const Parameter& parameter = findParameter(fullKey);
-        parameter.setText(config, valueText(parameter, key, value));
+        if (section.label) {
+            const std::string text = valueText(findSensorParameter(name), key, value);
+            setForSensor(config, {*section.label, name}, text);
+        } else {
+            const Parameter& parameter = findParameter(fullKey);
+            parameter.setText(config, valueText(parameter, key, value));
+        }
         return fullKey;
     } catch (const std::invalid_argument& e) {
         refuse(key.Mark(), e.what());
+    }
+}
+
+/// A section without entries is fine: all of them may have been commented out.
+void applyEntries(Config& config, const Section& section, const YAML::Node& entries,
+                  std::vector<std::string>& keysSet) {
+    if (entries.IsNull()) return;
+    if (!entries.IsMap()) {
+        refuse(entries.Mark(),
+               fmt::format("\"{}\" is a section and holds  key: value  pairs", section.name));
+    }
+    std::vector<std::string> seen;
+    for (const auto& entry : entries) {
+        keyText(entry.first, seen);
+        keysSet.push_back(applyEntry(config, section, entry.first, entry.second));
+    }
+}
+
+void requireMapOrNothing(const YAML::Node& node) {
+    if (node.IsMap() || node.IsNull()) return;
+    refuse(node.Mark(),
+           "settings of single sensors stand under their labels, as in  sensors: {FRONT_LIDAR: "
+           "{min_range_m: 0.5}}");
+}
+
+/// The section "sensors": a section for each label.
+void applySensors(Config& config, const YAML::Node& sensors, std::vector<std::string>& keysSet) {
+    requireMapOrNothing(sensors);
+    std::vector<std::string> seen;
+    for (const auto& sensor : sensors) {
+        requireMapOrNothing(sensor.second);
+        const std::string label = keyText(sensor.first, seen);
+        applyEntries(config, {"sensors." + label, label}, sensor.second, keysSet);
     }
 }
 
@@ -95,28 +143,17 @@ void requireSection(const YAML::Node& key, const std::string& name) {
                                    name));
 }
 
-/// A section without entries is fine: all of them may have been commented out.
-void applySection(Config& config, const std::string& name, const YAML::Node& key,
-                  const YAML::Node& section, std::vector<std::string>& keysSet) {
-    if (!section.IsMap()) requireSection(key, name);
-    if (section.IsNull()) return;
-    if (!section.IsMap()) {
-        refuse(section.Mark(),
-               fmt::format("\"{}\" is a section and holds  key: value  pairs", name));
-    }
-    std::vector<std::string> seen;
-    for (const auto& entry : section) {
-        const std::string fullKey = name + '.' + keyText(entry.first, seen);
-        keysSet.push_back(applyEntry(config, fullKey, entry.first, entry.second));
-    }
-}
-
 std::vector<std::string> applyDocument(Config& config, const YAML::Node& document) {
     std::vector<std::string> keysSet;
     std::vector<std::string> seen;
     for (const auto& entry : document) {
         const std::string name = keyText(entry.first, seen);
-        applySection(config, name, entry.first, entry.second, keysSet);
+        if (name == "sensors") {
+            applySensors(config, entry.second, keysSet);
+            continue;
+        }
+        if (!entry.second.IsMap()) requireSection(entry.first, name);
+        applyEntries(config, {name, std::nullopt}, entry.second, keysSet);
     }
     return keysSet;
 }
@@ -153,15 +190,20 @@ std::vector<std::string> applyYaml(Config& config, const std::filesystem::path& 
 }
 
 void applySetting(Config& config, std::string_view setting) {
-    const size_t equals = setting.find('=');
+    const size_t equals = setting.starts_with("sensors.") ? setting.rfind('=') : setting.find('=');
     if (equals == std::string_view::npos) {
         throw std::runtime_error(
             fmt::format("setting \"{}\" lacks its value; write key=value", setting));
     }
+    const std::string_view key = trimmed(setting.substr(0, equals));
+    const std::string_view text = trimmed(setting.substr(equals + 1));
     try {
         Config changed = config;
-        findParameter(trimmed(setting.substr(0, equals)))
-            .setText(changed, trimmed(setting.substr(equals + 1)));
+        if (const auto sensor = sensorKey(key)) {
+            setForSensor(changed, *sensor, text);
+        } else {
+            findParameter(key).setText(changed, text);
+        }
         changed.validate();
         config = changed;
     } catch (const std::invalid_argument& e) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ParameterRows.h"
+
 #include <offmap/rawlog/EditDistance.h>
 #include <offmap/rawlog/ParameterTable.h>
 
@@ -6,72 +8,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
-#include <type_traits>
-#include <utility>
 
 namespace offmap::rawlog {
 
 namespace {
 
-using Names = std::vector<std::string_view>;
 using Rows = std::vector<Parameter>;
-
-/// \param access a generic lambda from a Config to the field, constant or not
-template <typename Access>
-Parameter row(std::string_view key, std::string_view unit, double min, double max, Access access,
-              std::string_view meaning, ParameterKind kind, Names choices = {}) {
-    using Field = std::remove_reference_t<decltype(access(std::declval<Config&>()))>;
-    return {key,
-            unit,
-            meaning,
-            kind,
-            min,
-            max,
-            std::move(choices),
-            {},
-            [access](const Config& c) { return std::vector{static_cast<double>(access(c))}; },
-            [access](Config& c, const std::vector<double>& values) {
-                access(c) = static_cast<Field>(values.at(0));
-            }};
-}
-
-template <typename Access>
-Parameter number(std::string_view key, std::string_view unit, double min, double max, Access access,
-                 std::string_view meaning) {
-    return row(key, unit, min, max, access, meaning, ParameterKind::Number);
-}
-
-template <typename Access>
-Parameter count(std::string_view key, double min, double max, Access access,
-                std::string_view meaning) {
-    return row(key, "-", min, max, access, meaning, ParameterKind::Count);
-}
-
-template <typename Access>
-Parameter onOff(std::string_view key, Access access, std::string_view meaning) {
-    return row(key, "-", 0, 1, access, meaning, ParameterKind::Switch, {"false", "true"});
-}
-
-/// \param names in the order of the enumeration's values
-template <typename Access>
-Parameter choice(std::string_view key, Names names, Access access, std::string_view meaning) {
-    const auto last = static_cast<double>(names.size() - 1);
-    return row(key, "-", 0, last, access, meaning, ParameterKind::Choice, std::move(names));
-}
-
-Parameter elevations() {
-    return {"sensor.elevations_deg",
-            "deg",
-            "range image: elevations of its rows, row 0 first; empty: known from the model",
-            ParameterKind::List,
-            -90,
-            90,
-            {},
-            {},
-            [](const Config& c) { return c.sensor.elevations; },
-            [](Config& c, const std::vector<double>& values) { c.sensor.elevations = values; }};
-}
 
 std::vector<double> sidesOf(const std::optional<RobotBox>& box) {
     if (!box) return {};
@@ -82,20 +26,6 @@ std::optional<RobotBox> boxOf(const std::vector<double>& sides) {
     if (sides.empty()) return std::nullopt;
     return RobotBox{{sides.at(0), sides.at(2), sides.at(4)},
                     {sides.at(1), sides.at(3), sides.at(5)}};
-}
-
-Parameter robotBox() {
-    return {
-        "sensor.robot_box_m",
-        "m",
-        "returns in x_min, x_max, y_min, y_max, z_min, z_max of the vehicle are its own",
-        ParameterKind::List,
-        -100,
-        100,
-        {},
-        {0, 6},
-        [](const Config& c) { return sidesOf(c.sensor.robotBox); },
-        [](Config& c, const std::vector<double>& values) { c.sensor.robotBox = boxOf(values); }};
 }
 
 // clang-format off
@@ -170,10 +100,14 @@ Rows sensorRows() {
                "point cloud: azimuth width of a column; 0: found in the cloud"),
         choice("sensor.time_reference", {"first", "middle", "last"}, FIELD(sensor.timeReference),
                "which moment of a scan its time stamp tells"),
-        elevations(),
+        list("sensor.elevations_deg", "deg", -90, 90, {}, FIELD(sensor.elevations),
+             "range image: elevations of its rows, row 0 first; empty: known from the model"),
         number("sensor.min_range_m", "m", 0, 100, FIELD(sensor.minRange),
                "nearer returns are the robot's own, and kept; 0: none"),
-        robotBox(),
+        list("sensor.robot_box_m", "m", -100, 100, {0, 6},
+             [](const Config& c) { return sidesOf(c.sensor.robotBox); },
+             [](Config& c, const std::vector<double>& sides) { c.sensor.robotBox = boxOf(sides); },
+             "returns in x_min, x_max, y_min, y_max, z_min, z_max of the vehicle's frame are the robot's own"),
     };
 }
 
@@ -202,10 +136,18 @@ Rows allRows() {
     return table;
 }
 
+/// The key without its section.
+std::string_view nameOf(const Parameter& p) { return p.key.substr(p.key.find('.') + 1); }
+
 /// A key with a slip in it, or a key without its section.
 size_t mistypedBy(std::string_view text, const Parameter& p) {
-    return std::min(editDistance(text, p.key),
-                    editDistance(text, p.key.substr(p.key.find('.') + 1)));
+    return std::min(editDistance(text, p.key), editDistance(text, nameOf(p)));
+}
+
+/// "; did you mean ...?", or where all of them stand.
+std::string hint(std::string_view typed, size_t edits, std::string_view nearest) {
+    return edits <= typed.size() / 2 ? fmt::format("; did you mean {}?", nearest)
+                                     : "; config/default.yaml lists them all";
 }
 
 }  // namespace
@@ -219,13 +161,25 @@ const Parameter& findParameter(std::string_view key) {
     const auto table = parameters();
     const auto found = std::ranges::find(table, key, &Parameter::key);
     if (found != table.end()) return *found;
-
     const auto& nearest = *std::ranges::min_element(
         table, {}, [key](const Parameter& p) { return mistypedBy(key, p); });
-    const bool likely = mistypedBy(key, nearest) <= key.size() / 2;
     throw std::invalid_argument(
-        likely ? fmt::format("unknown key \"{}\"; did you mean {}?", key, nearest.key)
-               : fmt::format("unknown key \"{}\"; config/default.yaml lists them all", key));
+        fmt::format("unknown key \"{}\"{}", key, hint(key, mistypedBy(key, nearest), nearest.key)));
+}
+
+const Parameter& findSensorParameter(std::string_view name) {
+    const auto isOfSensor = [](const Parameter& p) { return p.key.starts_with("sensor."); };
+    const Parameter* nearest = nullptr;
+    size_t fewest = 0;
+    for (const Parameter& p : parameters() | std::views::filter(isOfSensor)) {
+        const size_t edits = editDistance(name, nameOf(p));
+        if (edits == 0) return p;
+        if (nearest != nullptr && edits >= fewest) continue;
+        nearest = &p;
+        fewest = edits;
+    }
+    throw std::invalid_argument(fmt::format("a single sensor has no key \"{}\"{}", name,
+                                            hint(name, fewest, nameOf(*nearest))));
 }
 
 }  // namespace offmap::rawlog

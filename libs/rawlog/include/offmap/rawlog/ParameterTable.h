@@ -15,4 +15,8 @@ std::span<const Parameter> parameters();
 /// \throw std::invalid_argument if there is no such key; it names the nearest one.
 const Parameter& findParameter(std::string_view key);
 
+/// The parameter "sensor.NAME", which can be set for a single sensor.
+/// \throw std::invalid_argument if there is no such name; it names the nearest one.
+const Parameter& findSensorParameter(std::string_view name);
+
 }  // namespace offmap::rawlog
