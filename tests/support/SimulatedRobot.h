@@ -35,9 +35,11 @@ class SimulatedRobot {
     explicit SimulatedRobot(uint64_t seed = 1) : noise_(seed) {}
 
     mrpt::poses::CPose3D pose{2.0, 2.5, 0, 0.3, 0, 0};  ///< in the map, where it truly is
+    double yawRate = 0;  ///< [rad/s] at which it turns on the spot, also while a sensor scans
     mrpt::Clock::time_point now = mrpt::Clock::fromDouble(1.7e9);
 
     void wait(double seconds) {
+        pose = turned(pose, seconds);
         now += std::chrono::duration_cast<mrpt::Clock::duration>(
             std::chrono::duration<double>(seconds));
     }
@@ -56,22 +58,22 @@ class SimulatedRobot {
 
     /// \param packets of 24 columns; 75 make a whole turn
     auto vlp16(size_t packets = 75, const std::string& label = "VLP16") {
-        auto obs = stamped<mrpt::obs::CObservationVelodyneScan>(label);
-        obs->sensorPose = {0.1, 0, 1.1, 0, 0, 0};
-        obs->calibration = mrpt::obs::VelodyneCalibration::LoadDefaultCalibration("VLP16");
-        for (size_t p = 0; p < packets; ++p) {
-            auto packet = emptyVlp16Packet(
-                static_cast<uint32_t>(std::lround(1327.104 * static_cast<double>(p))));
-            for (size_t block = 0; block < 12; ++block) {
-                const int rotation = static_cast<int>(40 * (12 * p + block));  // [1/100 deg]
-                setRotation(packet, block, rotation);
-                for (size_t slot = 0; slot < 32; ++slot) {
-                    fire(*obs, packet, block, slot, 0.01 * rotation + 0.2 * (slot >= 16));
-                }
-            }
-            obs->scan_packets.push_back(packet);
-        }
-        return obs;
+        return velodyne(vlp16Plan, "VLP16", packets, label);
+    }
+
+    /// In every fifth pair of blocks, the returns differ. \param packets 150 make a whole turn
+    auto vlp16Dual(size_t packets = 150, const std::string& label = "VLP16") {
+        return velodyne(vlp16DualPlan, "VLP16", packets, label);
+    }
+
+    /// \param packets of 12 columns; 180 make a whole turn
+    auto hdl32(size_t packets = 180, const std::string& label = "HDL32") {
+        return velodyne(hdl32Plan, "HDL32", packets, label);
+    }
+
+    /// \param packets of 6 columns; 348 make a whole turn
+    auto hdl64(size_t packets = 348, const std::string& label = "HDL64") {
+        return velodyne(hdl64Plan, "", packets, label);
     }
 
     /// Columns of 31 points, 4 degrees apart, with intensity.
@@ -154,16 +156,28 @@ class SimulatedRobot {
         return obs;
     }
 
-    void fire(const mrpt::obs::CObservationVelodyneScan& obs, VelodynePacket& packet, size_t block,
-              size_t slot, double clockwiseDegrees) {
-        const auto& laser = obs.calibration.laser_corrections[slot % 16];
-        const double azimuth = -mrpt::DEG2RAD(clockwiseDegrees);
-        const double ground = laser.cosVertCorrection;
-        const double range = rangeAlong(
-            obs.sensorPose,
-            {ground * std::cos(azimuth), ground * std::sin(azimuth), laser.sinVertCorrection});
-        const auto distance = static_cast<uint16_t>(std::lround(range / 0.002));
-        setReturn(packet, block, slot, distance, static_cast<uint8_t>(10 + slot));
+    std::shared_ptr<mrpt::obs::CObservationVelodyneScan> velodyne(const VelodynePlan& plan,
+                                                                  const std::string& calibration,
+                                                                  size_t packets,
+                                                                  const std::string& label) {
+        auto obs = stamped<mrpt::obs::CObservationVelodyneScan>(label);
+        obs->sensorPose = {0.1, 0, 1.1, 0, 0, 0};
+        obs->calibration =
+            calibration.empty()
+                ? hdl64Calibration()
+                : mrpt::obs::VelodyneCalibration::LoadDefaultCalibration(calibration);
+        const auto start = pose;
+        fireVelodyne(*obs, plan, packets, [&](double seconds, const auto& beam) {
+            pose = turned(start, seconds);
+            return rangeAlong(obs->sensorPose, beam);
+        });
+        pose = start;
+        return obs;
+    }
+
+    mrpt::poses::CPose3D turned(const mrpt::poses::CPose3D& from, double seconds) const {
+        if (yawRate == 0) return from;
+        return from + mrpt::poses::CPose3D(0, 0, 0, yawRate * seconds, 0, 0);
     }
 
     /// [m] with a noise of 5 mm; 0 for no return. \param beam unit vector in the sensor's frame
