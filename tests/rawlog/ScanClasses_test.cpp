@@ -9,7 +9,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationRotatingScan.h>
@@ -80,9 +79,8 @@ TEST(ScanClasses, velodyneCloudWithoutPacketsIsNamed) {
     expectUnsupported(scan, "without its packets");
 }
 
-TEST(ScanClasses, rotatingScansAndDepthImagesAreNamed) {
+TEST(ScanClasses, rotatingScansAreNamed) {
     expectUnsupported(mrpt::obs::CObservationRotatingScan(), "CObservationRotatingScan");
-    expectUnsupported(mrpt::obs::CObservation3DRangeScan(), "CObservation3DRangeScan");
 }
 
 }  // namespace

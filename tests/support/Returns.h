@@ -3,6 +3,7 @@
 
 #include <mrpt/maps/CPointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
@@ -15,8 +16,28 @@
 namespace offmap::test {
 
 /// A return as its observation encodes it: (packet, block, slot, distance, intensity) of a
-/// Velodyne, (ray, range) of a 2D scan, (x, y, z, intensity) of a cloud.
+/// Velodyne, (ray, range) of a 2D scan, (x, y, z, intensity) of a cloud, (layer, row, column,
+/// steps) of a depth camera, and (-1, x, y, z) of its points.
 using Return = std::array<double, 5>;
+
+inline void addReturns(std::vector<Return>& returns,
+                       const mrpt::obs::CObservation3DRangeScan& obs) {
+    const auto addLayer = [&](const mrpt::math::CMatrix_u16& image, double layer) {
+        for (int i = 0; i < image.rows() * image.cols(); ++i) {
+            if (image.data()[i] == 0) continue;
+            returns.push_back({layer, static_cast<double>(i / obs.rangeImage.cols()),
+                               static_cast<double>(i % obs.rangeImage.cols()),
+                               static_cast<double>(image.data()[i])});
+        }
+    };
+    double layer = 0;
+    addLayer(obs.rangeImage, layer);
+    for (const auto& [name, image] : obs.rangeImageOtherLayers) addLayer(image, ++layer);
+    for (size_t i = 0; obs.hasPoints3D && i < obs.points3D_x.size(); ++i) {
+        const Return point{-1, obs.points3D_x[i], obs.points3D_y[i], obs.points3D_z[i]};
+        if (point != Return{-1}) returns.push_back(point);
+    }
+}
 
 /// The returns of an observation, sorted.
 inline std::vector<Return> returnsOf(const mrpt::obs::CObservation& obs) {
@@ -45,6 +66,9 @@ inline std::vector<Return> returnsOf(const mrpt::obs::CObservation& obs) {
             returns.push_back({x, y, z, intensity});
         }
     }
+    if (const auto* image = dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&obs)) {
+        addReturns(returns, *image);
+    }
     std::sort(returns.begin(), returns.end());
     return returns;
 }
@@ -61,6 +85,7 @@ inline bool is3dScan(const mrpt::obs::CObservation& obs) {
         return !scan->isPlanarScan(0.1);
     }
     return dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&obs) ||
+           dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&obs) ||
            dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&obs);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "DepthCameraMaker.h"
 #include "SweepMaker.h"
 #include "VelodyneMaker.h"
 
@@ -116,6 +117,19 @@ class SimulatedRobot {
             wait(0.8 / static_cast<double>(columns));
         }
         return fans;
+    }
+
+    /// Sees 60 x 47 degrees straight ahead, on its side if rolled by 90 degrees; points included.
+    auto depthCamera(const std::string& label = "DEPTH", double rollDegrees = 0) {
+        const auto obs = emptyDepthImage();
+        obs->sensorLabel = label;
+        obs->timestamp = now;
+        obs->sensorPose = {0.2, 0, 1.2, 0, 0, mrpt::DEG2RAD(rollDegrees)};
+        fillDepths(*obs, [&](const mrpt::math::TVector3D& direction) {
+            return rangeAlong(obs->sensorPose, direction / direction.norm()) / direction.norm();
+        });
+        storePoints(*obs);
+        return obs;
     }
 
     auto horizontalScan() const {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ExternalFile.h"
 #include "ShortReason.h"
 
 #include <offmap/rawlog/PointCloudScan.h>
@@ -6,9 +7,7 @@
 #include <fmt/format.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 
-#include <array>
 #include <stdexcept>
-#include <string>
 
 namespace offmap::rawlog {
 
@@ -16,22 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Cloud = mrpt::obs::CObservationPointCloud;
-
-fs::path findExternalFile(const Cloud& obs, const fs::path& rawlogFile) {
-    const fs::path name = obs.getExternalStorageFile();
-    const fs::path folder = rawlogFile.parent_path();
-    const std::array<fs::path, 3> candidates = {
-        folder / (rawlogFile.stem().string() + "_Images") / name, folder / "Images" / name,
-        folder / name};
-    for (const fs::path& file : candidates) {
-        if (fs::is_regular_file(file)) return fs::absolute(file);
-    }
-    throw std::runtime_error(fmt::format(
-        "the point cloud of '{}' is stored in '{}', which is neither in '{}' nor in '{}'; put it "
-        "there or use a log made by rawlog-edit --de-externalize",
-        obs.sensorLabel, name.string(), candidates[0].parent_path().string(),
-        candidates[2].parent_path().string()));
-}
 
 /// The name of the file cannot be changed from outside without knowing the format, nor the format
 /// be asked for.
@@ -45,7 +28,8 @@ bool PointCloudScan::loadExternal(mrpt::obs::CObservation& observation,
                                   const fs::path& rawlogFile) const {
     Cloud& obs = dynamic_cast<Cloud&>(observation);
     if (!obs.isExternallyStored()) return false;
-    const fs::path file = findExternalFile(obs, rawlogFile);
+    const fs::path file =
+        findExternalFile("point cloud", obs.sensorLabel, obs.getExternalStorageFile(), rawlogFile);
     // By its absolute name: MRPT's folder for external files is one for all threads.
     Cloud loader = obs;
     loader.*Storage::file = file.string();

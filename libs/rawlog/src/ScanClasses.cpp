@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/PointCloudScan.h>
+#include <offmap/rawlog/RangeImageScan.h>
 #include <offmap/rawlog/ScanClasses.h>
 #include <offmap/rawlog/SweepFan.h>
 #include <offmap/rawlog/SweepScan.h>
 #include <offmap/rawlog/VelodyneScan.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationRotatingScan.h>
 
 namespace offmap::rawlog {
@@ -15,12 +15,16 @@ const ScanClass* scanClassOf(const mrpt::obs::CObservation& obs, const SensorCon
     static const VelodyneScan velodyne;
     static const PointCloudScan pointCloud;
     static const SweepScan sweep;
+    static const RangeImageScan rangeImage;
     if (const auto* scan = dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&obs)) {
         return unsupportedVelodyne(*scan) ? nullptr : &velodyne;
     }
     if (dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&obs)) return &pointCloud;
     if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs)) {
         return isVerticalFan(*scan) ? &sweep : nullptr;
+    }
+    if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&obs)) {
+        return unsupportedRangeImage(*scan) ? nullptr : &rangeImage;
     }
     return nullptr;
 }
@@ -33,8 +37,8 @@ std::optional<std::string> unsupportedReason(const mrpt::obs::CObservation& obs,
     if (dynamic_cast<const mrpt::obs::CObservationRotatingScan*>(&obs)) {
         return "CObservationRotatingScan is not supported yet, copied unchanged";
     }
-    if (dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&obs)) {
-        return "CObservation3DRangeScan is not supported yet, copied unchanged";
+    if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&obs)) {
+        return unsupportedRangeImage(*scan);
     }
     return {};
 }
