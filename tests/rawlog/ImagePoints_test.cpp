@@ -58,7 +58,7 @@ TEST(ImagePoints, followTheirPixels) {
 TEST(ImagePoints, areFoundWithoutTheirIndices) {
     const auto keep = test::randomMask(32 * 24, 8);
     const DepthImage expected = reduced(wallWithPoints(false), keep);
-    for (const uint16_t spoiled : {0, 5, 60'000}) {
+    for (const uint16_t spoiled : std::initializer_list<uint16_t>{0, 5, 60000}) {
         DepthImage obs = wallWithPoints(false);
         std::ranges::fill(obs.points3D_idxs_x, spoiled);
         EXPECT_EQ(reduced(obs, keep).points3D_z, expected.points3D_z);

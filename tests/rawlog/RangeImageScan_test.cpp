@@ -173,7 +173,7 @@ TEST(RangeImageScan, cloudHoldsTheChosenReturns) {
     DepthImage obs = *slopingWall();
     obs.sensorLabel = "DEPTH";
     const auto keep = test::randomMask(RangeImageScan().slotCount(obs), 5);
-    const auto cloud = RangeImageScan().asPointCloud(obs, keep);
+    const auto cloud = RangeImageScan().asPointCloud(obs, keep, {});
     mrpt::maps::CSimplePointsMap oracle;
     mrpt::obs::T3DPointsProjectionParams parameters;
     parameters.takeIntoAccountSensorPoseOnRobot = false;
@@ -196,8 +196,8 @@ TEST(RangeImageScan, whatCannotBeReducedIsNamed) {
     const auto expectReason = [](const char* reason, auto&& spoil) {
         DepthImage obs = *slopingWall();
         spoil(obs);
-        EXPECT_EQ(scanClassOf(obs), nullptr);
-        const auto found = unsupportedReason(obs);
+        EXPECT_EQ(scanClassOf(obs, {}), nullptr);
+        const auto found = unsupportedReason(obs, {});
         ASSERT_TRUE(found) << reason;
         EXPECT_THAT(*found, testing::AllOf(HasSubstr(reason), HasSubstr("copied unchanged")));
     };

@@ -59,7 +59,8 @@ void insertReturns(CPointsMap& map, const Scan& obs, SlotMask keep) {
 }  // namespace
 
 mrpt::obs::CObservation::Ptr RangeImageScan::asPointCloud(
-    const mrpt::obs::CObservation& observation, SlotMask keep) const {
+    const mrpt::obs::CObservation& observation, SlotMask keep,
+    const SensorConfig& /*config*/) const {
     checkMask(observation, keep);
     const Scan& obs = dynamic_cast<const Scan&>(observation);
     auto out = mrpt::obs::CObservationPointCloud::Create();

@@ -31,7 +31,8 @@ class RangeImageScan final : public ScanClass {
                                           Leftovers leftovers) const override;
     /// With colour or intensity where every pixel has its own in memory, as the observation says.
     mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
-                                              SlotMask keep) const override;
+                                              SlotMask keep,
+                                              const SensorConfig& config) const override;
 };
 
 /// Why such an observation cannot be reduced. None if it can.
