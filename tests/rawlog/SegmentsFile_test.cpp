@@ -96,7 +96,7 @@ TEST(SegmentsFile, agreesWithAScanSolvedByHand) {
     }
     TurnReducer reducer(map, poses, {}, OutputClass::Same);
     SmallTurn small("CLOUD");
-    small.turn = reducer.reduce({cloud}, *scanClassOf(*cloud));
+    small.turn = reducer.reduce({cloud}, *scanClassOf(*cloud, {}));
     small.turn.record.label = "CLOUD";
     small.result = reducer.result();
     ASSERT_EQ(small.result.segments.size(), 1U);
