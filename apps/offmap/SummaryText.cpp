@@ -75,6 +75,7 @@ std::string skippedText(const ReductionTotals& totals) {
     };
     add(totals.counts.nonFinite, "not finite, kept");
     add(totals.counts.duplicates, "repeat another");
+    add(totals.counts.self, "of the robot itself, kept");
     return parts.empty() ? "" : fmt::format("   ({})", fmt::join(parts, ", "));
 }
 

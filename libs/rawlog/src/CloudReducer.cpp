@@ -2,6 +2,7 @@
 #include <offmap/rawlog/CloudReducer.h>
 #include <offmap/rawlog/FixedPose.h>
 #include <offmap/rawlog/PlacedCloud.h>
+#include <offmap/rawlog/SelfMask.h>
 
 namespace offmap::rawlog {
 
@@ -24,6 +25,7 @@ const std::vector<core::PointLabel>& CloudReducer::reduce(
     organized_ = {};
     appendCloud(organized_, {points, {}, FixedPose(vehicleInMap).at({}), sensorInVehicle}, 0,
                 sensor_);
+    maskSelfReturns(organized_, sensor_);
     result_ = &reducer_.reduce(organized_.scan);
     labels_.assign(points.size(), core::PointLabel::NotOnVerticalSegment);
     for (size_t i = 0; i < result_->labels.size(); ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/Observations.h>
+#include <offmap/rawlog/SelfMask.h>
 #include <offmap/rawlog/TurnReducer.h>
 
 #include <algorithm>
@@ -94,6 +95,7 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     for (const auto& obs : turn) slots += scanClass.slotCount(*obs);
     const SensorConfig& config = sensorOf(turn.front()->sensorLabel);
     out.organized = scanClass.organize(turn, poses_, config);
+    maskSelfReturns(out.organized, config);
     result_ = &reducer_.reduce(out.organized.scan);
     out.removedSlots = removedSlots(out.organized, *result_, slots);
 

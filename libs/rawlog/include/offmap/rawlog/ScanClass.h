@@ -23,6 +23,7 @@ struct ReturnCounts {
     uint64_t nonFinite = 0;   ///< NaN or infinity
     uint64_t zero = 0;        ///< no return: range 0, invalid ray
     uint64_t duplicates = 0;  ///< of `returns`: repeat another return of the column exactly
+    uint64_t self = 0;        ///< of `returns`: the robot's own, see SelfMask.h
 };
 
 /// A return that repeats another one of its column exactly. It is left out of the scan and shares

@@ -43,6 +43,7 @@ void forEachCount(const Visit& visit, Figures&... figures) {
     visit("slots_without_return", figures.counts.zero...);
     visit("points_not_finite", figures.counts.nonFinite...);
     visit("points_duplicate", figures.counts.duplicates...);
+    visit("points_of_robot", figures.counts.self...);
     visit("columns", figures.columns...);
     visit("columns_without_pose", figures.columnsWithoutPose...);
 }
