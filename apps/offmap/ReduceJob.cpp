@@ -74,7 +74,7 @@ void requireScans(const ReduceOptions& options, const rawlog::LogSurvey& survey)
 }
 
 ordered_json reportHead(const ReduceOptions& options, const rawlog::Config& config,
-                        const core::LineMap& map, const ChosenPoses& poses) {
+                        const core::LineMap& map, const rawlog::ChosenPoses& poses) {
     ordered_json parameters = ordered_json::object();
     for (const rawlog::Parameter& parameter : rawlog::parameters()) {
         parameters[std::string(parameter.key)] = parameter.text(config);
@@ -172,7 +172,7 @@ int reduceLog(const ReduceOptions& options, const rawlog::Config& config, const 
     const auto [survey, endsBecause] = readFirst(options, config, readable, status);
     requireSensors(options, survey);
     requireScans(options, survey);
-    const ChosenPoses poses =
+    const rawlog::ChosenPoses poses =
         choosePoses(options.shared, config, options.input, survey, options.keepGoing);
     if (!options.quiet) {
         say(stdout, "map     {}\nposes   {}\n", describe(map, options.shared.map.string()),

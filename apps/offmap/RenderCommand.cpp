@@ -50,7 +50,8 @@ void render(const RenderOptions& options, const rawlog::Config& config, const co
         rawlog::surveyLog(first, config, std::numeric_limits<uint64_t>::max(),
                           [&] { status.atEntry(first.place()); });
     if (survey.damage) throw *survey.damage;
-    const ChosenPoses poses = choosePoses(options.shared, config, options.input, survey, false);
+    const rawlog::ChosenPoses poses =
+        choosePoses(options.shared, config, options.input, survey, false);
     const auto turn = rawlog::findTurn(second, survey, config, options.entry, options.input,
                                        [&] { status.atEntry(second.place()); });
     if (!turn) {

@@ -5,12 +5,8 @@
 
 #include <offmap/maps/TextMap.h>
 #include <offmap/rawlog/ConfigFile.h>
-#include <offmap/rawlog/FixedPose.h>
-#include <offmap/rawlog/GroupedDigits.h>
-#include <offmap/rawlog/PoseTrack.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <mrpt/core/bits_math.h>
 #include <mrpt/math/TPose2D.h>
 #include <mrpt/poses/CPose2D.h>
@@ -55,13 +51,6 @@ mrpt::math::TPose2D parsePose(const std::string& text, std::string_view option) 
 /// An option whose value was meant to come from a variable that is not set, must not count as not
 /// given.
 std::string notEmpty(const std::string& value) { return value.empty() ? "is empty" : ""; }
-
-template <class Map>
-std::string keysOf(const Map& map) {
-    std::vector<std::string> keys;
-    for (const auto& entry : map) keys.push_back(entry.first);
-    return fmt::format("{}", fmt::join(keys, ", "));
-}
 
 }  // namespace
 
@@ -123,44 +112,21 @@ core::LineMap SharedOptions::readMap(const rawlog::Config& configuration) const 
     return core::LineMap(std::move(walls));
 }
 
-ChosenPoses choosePoses(const SharedOptions& options, const rawlog::Config& config,
-                        const std::filesystem::path& log, const rawlog::LogSurvey& survey,
-                        bool mayBeMissing) {
-    if (!options.pose.empty()) {
-        return {
-            std::make_unique<rawlog::FixedPose>(parsePose(options.pose, "--pose"),
-                                                config.pose.sigmaPosition, config.pose.sigmaYaw),
-            "fixed at " + options.pose};
+rawlog::PoseRequest SharedOptions::poseRequest() const {
+    rawlog::PoseRequest request;
+    if (!pose.empty()) request.fixed = parsePose(pose, "--pose");
+    request.label = poseLabel;
+    return request;
+}
+
+rawlog::ChosenPoses choosePoses(const SharedOptions& options, const rawlog::Config& config,
+                                const std::filesystem::path& log, const rawlog::LogSurvey& survey,
+                                bool mayBeMissing) {
+    try {
+        return rawlog::choosePoses(options.poseRequest(), config, survey, log, mayBeMissing);
+    } catch (const rawlog::PoseRequestError& error) {
+        throw UsageError(error.what());
     }
-    auto chosen = survey.poses.begin();
-    if (!options.poseLabel.empty()) {
-        chosen = survey.poses.find(options.poseLabel);
-        if (chosen == survey.poses.end()) {
-            throw UsageError(fmt::format(
-                "{} has no robot poses labelled '{}'; it has: {}", log.string(), options.poseLabel,
-                survey.poses.empty() ? "none at all" : keysOf(survey.poses)));
-        }
-    } else if (survey.poses.size() > 1) {
-        throw UsageError(
-            fmt::format("{} has robot poses of several labels; choose one with --pose-label: {}",
-                        log.string(), keysOf(survey.poses)));
-    }
-    if (chosen == survey.poses.end()) {
-        if (!mayBeMissing) {
-            throw std::runtime_error(
-                fmt::format("{} holds no robot pose (CObservationRobotPose); give one with --pose "
-                            "x,y,yaw_deg, or keep "
-                            "every scan whole with --keep-going",
-                            log.string()));
-        }
-        return {std::make_unique<rawlog::PoseTrack>(std::vector<rawlog::StampedPose>{},
-                                                    config.pose.maxAge),
-                "none"};
-    }
-    return {
-        std::make_unique<rawlog::PoseTrack>(chosen->second, config.pose.maxAge),
-        fmt::format("{}: {} robot pose{}", chosen->first, rawlog::grouped(chosen->second.size()),
-                    chosen->second.size() == 1 ? "" : "s")};
 }
 
 }  // namespace offmap::app

@@ -4,12 +4,11 @@
 #include <offmap/core/LineMap.h>
 #include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/LogSurvey.h>
-#include <offmap/rawlog/PoseSource.h>
+#include <offmap/rawlog/PoseChoice.h>
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,18 +31,13 @@ struct SharedOptions {
     rawlog::Config readConfig() const;
     /// \throw UsageError for a wrong --map-origin, std::runtime_error for a map that cannot be read
     core::LineMap readMap(const rawlog::Config& config) const;
+    /// \throw UsageError for a pose that is none
+    rawlog::PoseRequest poseRequest() const;
 };
 
-/// Where poses come from, and how to say so.
-struct ChosenPoses {
-    std::unique_ptr<rawlog::PoseSource> source;
-    std::string description;  ///< "LOCALIZATION: 1,204 robot poses"
-};
-
-/// \param mayBeMissing a log without poses is no error; its scans are then kept
 /// \throw UsageError if the choice is not clear, std::runtime_error if there is no pose at all
-ChosenPoses choosePoses(const SharedOptions& options, const rawlog::Config& config,
-                        const std::filesystem::path& log, const rawlog::LogSurvey& survey,
-                        bool mayBeMissing);
+rawlog::ChosenPoses choosePoses(const SharedOptions& options, const rawlog::Config& config,
+                                const std::filesystem::path& log, const rawlog::LogSurvey& survey,
+                                bool mayBeMissing);
 
 }  // namespace offmap::app

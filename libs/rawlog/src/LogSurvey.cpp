@@ -3,8 +3,11 @@
 #include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/ScanClasses.h>
 
+#include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/obs/CSensoryFrame.h>
 
 #include <algorithm>
 
@@ -20,7 +23,13 @@ void see(LogSurvey& survey, const Config& config, const CObservation& obs) {
         survey.poses[obs.sensorLabel].push_back(stampedPose(*pose));
         return;
     }
+    const bool hasTime = obs.timestamp != INVALID_TIMESTAMP;
+    const auto* odometry = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&obs);
+    if (odometry && hasTime) {
+        survey.odometry[obs.sensorLabel].push_back({obs.timestamp, odometry->odometry.asTPose()});
+    }
     SensorSurvey& sensor = survey.sensors[obs.sensorLabel];
+    if (hasTime) sensor.times = spanned(sensor.times, obs.timestamp);
     if (sensor.observations++ == 0) sensor.className = classNameOf(obs);
     if (const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(&obs)) {
         sensor.sweep.see(*scan);
@@ -29,10 +38,55 @@ void see(LogSurvey& survey, const Config& config, const CObservation& obs) {
     }
 }
 
+void see(ActionSurvey& survey, const mrpt::obs::CActionCollection& actions) {
+    ++survey.collections;
+    if (auto step = movementOf(actions)) {
+        ++survey.movements;
+        survey.steps.push_back(*step);
+    }
+}
+
+/// The movement before a frame has led to the place where the frame was taken, at the time of its
+/// first observation; the stamps of actions are often not set.
+void see(ActionSurvey& survey, const mrpt::obs::CSensoryFrame& frame) {
+    ++survey.frames;
+    const auto first = std::find_if(frame.begin(), frame.end(), [](const auto& obs) {
+        return obs && obs->timestamp != INVALID_TIMESTAMP;
+    });
+    if (first == frame.end()) return;
+    if (survey.steps.empty() || survey.steps.back().time) survey.steps.emplace_back();
+    survey.steps.back().time = (*first)->timestamp;
+}
+
+void see(LogSurvey& survey, const Config& config,
+         const mrpt::serialization::CSerializable::Ptr& entry) {
+    forEachObservation(entry,
+                       [&](const CObservation::Ptr& obs, size_t) { see(survey, config, *obs); });
+    if (const auto* actions = dynamic_cast<const mrpt::obs::CActionCollection*>(entry.get())) {
+        see(survey.actions, *actions);
+    } else if (const auto* frame = dynamic_cast<const mrpt::obs::CSensoryFrame*>(entry.get())) {
+        see(survey.actions, *frame);
+    }
+}
+
 }  // namespace
+
+TimeSpan spanned(const std::optional<TimeSpan>& span, mrpt::Clock::time_point time) {
+    if (!span) return {time, time};
+    return {std::min(span->begin, time), std::max(span->end, time)};
+}
 
 bool LogSurvey::holdsScans() const {
     return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.second.scans3d; });
+}
+
+std::optional<TimeSpan> LogSurvey::scanTimes() const {
+    std::optional<TimeSpan> span;
+    for (const auto& [label, sensor] : sensors) {
+        if (!sensor.scans3d || !sensor.times) continue;
+        span = spanned(spanned(span, sensor.times->begin), sensor.times->end);
+    }
+    return span;
 }
 
 bool LogSurvey::reducible(const CObservation& obs, const SensorConfig& config) const {
@@ -51,9 +105,7 @@ LogSurvey surveyLog(RawlogReader& reader, const Config& config, uint64_t maxEntr
             const auto entry = reader.next();
             if (!entry) break;
             ++survey.entries;
-            forEachObservation(entry->object, [&](const CObservation::Ptr& obs, size_t) {
-                see(survey, config, *obs);
-            });
+            see(survey, config, entry->object);
         }
     } catch (const RawlogError& error) {
         survey.damage.emplace(error);

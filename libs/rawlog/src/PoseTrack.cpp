@@ -23,13 +23,6 @@ double secondsBetween(TimePoint earlier, TimePoint later) {
     return static_cast<double>(ticks) * Period::num / Period::den;
 }
 
-Eigen::Matrix3d covarianceOf(const StampedPose& pose) {
-    const auto& c = pose.groundCovariance;
-    Eigen::Matrix3d covariance;
-    covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
-    return covariance;
-}
-
 TPose3D interpolated(const TPose3D& from, const TPose3D& to, double share) {
     TPose3D pose;
     mrpt::math::slerp_ypr(from, to, share, pose);
@@ -48,7 +41,7 @@ bool agree(const StampedPose& a, const StampedPose& b) {
     const Eigen::Vector3d difference(b.vehicleInMap.x - a.vehicleInMap.x,
                                      b.vehicleInMap.y - a.vehicleInMap.y,
                                      mrpt::math::wrapToPi(b.vehicleInMap.yaw - a.vehicleInMap.yaw));
-    Eigen::Matrix3d sum = covarianceOf(a) + covarianceOf(b);
+    Eigen::Matrix3d sum = matrixOf(a.groundCovariance) + matrixOf(b.groundCovariance);
     sum.diagonal() += floorVariance;
     return difference.dot(sum.ldlt().solve(difference)) <= 9.0;
 }
@@ -66,9 +59,7 @@ StampedPose stampedPose(const mrpt::obs::CObservationRobotPose& observation) {
                      observation.pose.mean.asTPose(),
                      {},
                      core::faultOf(observation.pose)};
-    const Eigen::Matrix3d ground = core::groundBlock(observation.pose.cov);
-    pose.groundCovariance = {ground(0, 0), ground(0, 1), ground(0, 2),
-                             ground(1, 1), ground(1, 2), ground(2, 2)};
+    pose.groundCovariance = triangleOf(core::groundBlock(observation.pose.cov));
     return pose;
 }
 
@@ -101,7 +92,7 @@ PoseLookup PoseTrack::atSingle(const StampedPose& pose, TimePoint time) const {
     const double age = secondsBetween(std::min(pose.time, time), std::max(pose.time, time));
     if (age > maxAge_) return none(core::PoseFault::TooOld);
     if (pose.fault) return none(*pose.fault);
-    return lookup(pose.vehicleInMap, covarianceOf(pose));
+    return lookup(pose.vehicleInMap, matrixOf(pose.groundCovariance));
 }
 
 PoseLookup PoseTrack::between(const StampedPose& before, const StampedPose& after,
@@ -114,8 +105,9 @@ PoseLookup PoseTrack::between(const StampedPose& before, const StampedPose& afte
         return none(core::PoseFault::TooOld);
     }
     const double share = sinceBefore / (sinceBefore + untilAfter);
-    return lookup(interpolated(before.vehicleInMap, after.vehicleInMap, share),
-                  (1 - share) * covarianceOf(before) + share * covarianceOf(after));
+    return lookup(
+        interpolated(before.vehicleInMap, after.vehicleInMap, share),
+        (1 - share) * matrixOf(before.groundCovariance) + share * matrixOf(after.groundCovariance));
 }
 
 }  // namespace offmap::rawlog

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/rawlog/GroundCovariance.h>
 #include <offmap/rawlog/PoseSource.h>
 
 #include <mrpt/math/TPose3D.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -16,8 +16,7 @@ namespace offmap::rawlog {
 struct StampedPose {
     mrpt::Clock::time_point time;
     mrpt::math::TPose3D vehicleInMap;
-    /// Upper triangle of the covariance of x, y [m], yaw [rad]: xx, x-y, x-yaw, yy, y-yaw, yaw-yaw.
-    std::array<double, 6> groundCovariance{};
+    GroundTriangle groundCovariance{};
     std::optional<core::PoseFault> fault;  ///< NotFinite or NotPsd: not to be used
 };
 
