@@ -216,6 +216,10 @@ TEST(RangeImageScan, whatCannotBeReducedIsNamed) {
                  [](auto& obs) { obs.rangeImageOtherLayers["LAST"].setSize(2, 3); });
     expectReason("neither", [](auto& obs) { obs.hasRangeImage = false; });
     expectReason("neither", [](auto& obs) { obs.rangeImage.setSize(0, 0); });
+    expectReason("lack coordinates", [](auto& obs) {
+        obs.hasPoints3D = true;
+        obs.points3D_x = {1.0F};
+    });
 }
 
 TEST(RangeImageScan, realImageKeepsItsReturns) {

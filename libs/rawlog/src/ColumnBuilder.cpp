@@ -64,7 +64,8 @@ void appendColumn(TurnScan& out, core::ScanColumn column,
             rotation(2, 0) * r.point.x + rotation(2, 1) * r.point.y + rotation(2, 2) * r.point.z;
         r.sinElevation = height / std::sqrt(squaredRange(r.point));
     }
-    std::sort(returns.begin(), returns.end(), below);
+    const bool inOrder = std::is_sorted(returns.begin(), returns.end(), below);
+    if (!inOrder) std::sort(returns.begin(), returns.end(), below);
 
     column.begin = static_cast<uint32_t>(out.scan.points.size());
     for (const ColumnReturn& r : returns) {

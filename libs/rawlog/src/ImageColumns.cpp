@@ -98,7 +98,7 @@ std::vector<ImageColumn> gathered(const RangeImage& image, const ImageLines& lin
     const CloudColumns bins = findCloudColumns(rays, width);
     std::vector<ImageColumn> columns(bins.azimuths.size());
     for (size_t c = 0; c < columns.size(); ++c) columns[c].azimuth = bins.azimuths[c];
-    for (size_t pixel = 0; pixel < rays.size(); ++pixel) {
+    for (size_t pixel = rays.size(); pixel-- > 0;) {  // bottom row first: nearly sorted, quickly so
         columns[bins.columnOf[pixel]].pixels.push_back(static_cast<uint32_t>(pixel));
     }
     return columns;

@@ -52,6 +52,8 @@ void appendImage(TurnScan& out, const Scan& obs, uint32_t firstSlot, const PoseS
     const RangeImage image(obs);
     core::ScanColumn column = columnOf(obs, poses, mounting);
     std::vector<ColumnReturn> returns;
+    out.scan.points.reserve(out.scan.points.size() + image.pixels());
+    out.scan.sourceIndex.reserve(out.scan.sourceIndex.size() + image.pixels());
     const auto imageColumns = findImageColumns(image, mounting, config.columnWidth);
     for (size_t layer = 0; layer < image.layers(); ++layer) {
         for (const ImageColumn& imageColumn : imageColumns) {
@@ -159,15 +161,13 @@ mrpt::obs::CObservation::Ptr RangeImageScan::withOnly(const mrpt::obs::CObservat
 }
 
 std::optional<std::string> unsupportedRangeImage(const Scan& obs) {
-    const bool points =
-        obs.hasPoints3D && (obs.points3D_isExternallyStored() || !obs.points3D_x.empty());
     std::optional<std::string> fault;
     if (hasRanges(obs)) {
         fault = rangeImageFault(obs);
-    } else if (!points) {
+    } else if (!obs.hasPoints3D) {
         fault = "neither a range image nor points";
     }
-    if (points && !pointsHaveOneSize(obs)) fault = "points of differing numbers of coordinates";
+    if (obs.hasPoints3D && !pointsHaveOneSize(obs)) fault = "its points lack coordinates";
     if (!fault) return {};
     return fmt::format("CObservation3DRangeScan: {}, copied unchanged", *fault);
 }
