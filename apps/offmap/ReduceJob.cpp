@@ -62,13 +62,15 @@ void requireScans(const ReduceOptions& options, const rawlog::LogSurvey& survey)
     if (survey.holdsScans() || options.keepGoing) return;
     std::vector<std::string> seen;
     for (const auto& [label, sensor] : survey.sensors) {
-        seen.push_back(fmt::format("{} ({} x {})", label.empty() ? "no label" : label,
-                                   rawlog::grouped(sensor.observations), sensor.className));
+        seen.push_back(fmt::format("{} ({} x {}{}{})", label.empty() ? "no label" : label,
+                                   rawlog::grouped(sensor.observations), sensor.className,
+                                   sensor.unsupported ? ": " : "",
+                                   sensor.unsupported.value_or("")));
     }
     throw std::runtime_error(
-        fmt::format("{} holds no 3D scan that could be reduced, only: {}; a VLP-16, a point cloud "
-                    "or a 2D scanner that turns about the vertical is needed (--keep-going copies "
-                    "the log)",
+        fmt::format("{} holds no 3D scan that could be reduced, only: {}; a VLP-16, a rotating "
+                    "scan, a point cloud or a 2D scanner that turns about the vertical is needed "
+                    "(--keep-going copies the log)",
                     options.input.string(),
                     seen.empty() ? "no observation" : fmt::format("{}", fmt::join(seen, ", "))));
 }

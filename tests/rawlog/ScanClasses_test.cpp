@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../support/RotatingMaker.h"
 #include "../support/SweepMaker.h"
 #include "../support/VelodyneMaker.h"
 
 #include <offmap/rawlog/PointCloudScan.h>
+#include <offmap/rawlog/RotatingScan.h>
 #include <offmap/rawlog/ScanClasses.h>
 #include <offmap/rawlog/SweepScan.h>
 #include <offmap/rawlog/VelodyneScan.h>
@@ -11,7 +13,6 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationPointCloud.h>
-#include <mrpt/obs/CObservationRotatingScan.h>
 
 namespace offmap::rawlog {
 namespace {
@@ -40,6 +41,10 @@ TEST(ScanClasses, supportedObservationsHaveTheirClass) {
         dynamic_cast<const PointCloudScan*>(scanClassOf(mrpt::obs::CObservationPointCloud(), {})));
     const auto fan = test::fanWithoutReturns(test::fanPose(10));
     EXPECT_TRUE(dynamic_cast<const SweepScan*>(scanClassOf(*fan, {})));
+    const auto rotating = test::emptyRotatingScan(2, 8);
+    const SensorConfig twoRows = test::withElevations({0.1, 0});
+    EXPECT_TRUE(dynamic_cast<const RotatingScan*>(scanClassOf(*rotating, twoRows)));
+    EXPECT_FALSE(unsupportedReason(*rotating, twoRows));
     EXPECT_FALSE(unsupportedReason(vlp16(), {}));
     EXPECT_FALSE(unsupportedReason(*fan, {}));
 }
@@ -51,6 +56,12 @@ TEST(ScanClasses, levelScansAndImagesHaveNone) {
     const mrpt::obs::CObservationImage image;
     EXPECT_EQ(scanClassOf(image, {}), nullptr);
     EXPECT_FALSE(unsupportedReason(image, {}));
+}
+
+TEST(ScanClasses, rotatingScanNeedsItsElevations) {
+    const auto scan = test::emptyRotatingScan(2, 8);
+    EXPECT_EQ(scanClassOf(*scan, {}), nullptr);
+    EXPECT_THAT(unsupportedReason(*scan, {}).value_or(""), HasSubstr("sensor.elevations_deg"));
 }
 
 TEST(ScanClasses, otherVelodynesAreNamed) {
@@ -77,10 +88,6 @@ TEST(ScanClasses, velodyneCloudWithoutPacketsIsNamed) {
     CObservationVelodyneScan scan;
     scan.point_cloud.x = scan.point_cloud.y = scan.point_cloud.z = {1.0F};
     expectUnsupported(scan, "without its packets");
-}
-
-TEST(ScanClasses, rotatingScansAreNamed) {
-    expectUnsupported(mrpt::obs::CObservationRotatingScan(), "CObservationRotatingScan");
 }
 
 }  // namespace

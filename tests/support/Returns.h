@@ -5,6 +5,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationRotatingScan.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace offmap::test {
 
 /// A return as its observation encodes it: (packet, block, slot, distance, intensity) of a
 /// Velodyne, (ray, range) of a 2D scan, (x, y, z, intensity) of a cloud, (layer, row, column,
-/// steps) of a depth camera, and (-1, x, y, z) of its points.
+/// steps) of a depth camera, and (-1, x, y, z) of its points, (layer, row, column, steps,
+/// intensity) of a rotating scan.
 using Return = std::array<double, 5>;
 
 inline void addReturns(std::vector<Return>& returns,
@@ -36,6 +38,30 @@ inline void addReturns(std::vector<Return>& returns,
     for (size_t i = 0; obs.hasPoints3D && i < obs.points3D_x.size(); ++i) {
         const Return point{-1, obs.points3D_x[i], obs.points3D_y[i], obs.points3D_z[i]};
         if (point != Return{-1}) returns.push_back(point);
+    }
+}
+
+/// \param layer 0: the range image
+inline void addReturns(std::vector<Return>& returns, const mrpt::math::CMatrix_u16& image,
+                       double layer, const mrpt::math::CMatrix_u8* intensities) {
+    for (int row = 0; row < image.rows(); ++row) {
+        for (int column = 0; column < image.cols(); ++column) {
+            if (image(row, column) == 0) continue;
+            const double intensity = intensities ? (*intensities)(row, column) : 0;
+            returns.push_back({layer, static_cast<double>(row), static_cast<double>(column),
+                               static_cast<double>(image(row, column)), intensity});
+        }
+    }
+}
+
+inline void addReturns(std::vector<Return>& returns,
+                       const mrpt::obs::CObservationRotatingScan& obs) {
+    const bool hasIntensity = obs.intensityImage.rows() == obs.rangeImage.rows() &&
+                              obs.intensityImage.cols() == obs.rangeImage.cols();
+    double layer = 0;
+    addReturns(returns, obs.rangeImage, layer, hasIntensity ? &obs.intensityImage : nullptr);
+    for (const auto& [name, image] : obs.rangeOtherLayers) {
+        addReturns(returns, image, ++layer, nullptr);
     }
 }
 
@@ -59,6 +85,9 @@ inline std::vector<Return> returnsOf(const mrpt::obs::CObservation& obs) {
                 }
             }
         }
+    } else if (const auto* rotating =
+                   dynamic_cast<const mrpt::obs::CObservationRotatingScan*>(&obs)) {
+        addReturns(returns, *rotating);
     } else if (const auto* cloud = dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&obs)) {
         for (size_t i = 0; i < cloud->pointcloud->size(); ++i) {
             float x = 0, y = 0, z = 0, intensity = 0, unused = 0;
@@ -86,6 +115,7 @@ inline bool is3dScan(const mrpt::obs::CObservation& obs) {
     }
     return dynamic_cast<const mrpt::obs::CObservationVelodyneScan*>(&obs) ||
            dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&obs) ||
+           dynamic_cast<const mrpt::obs::CObservationRotatingScan*>(&obs) ||
            dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&obs);
 }
 

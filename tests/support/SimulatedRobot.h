@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DepthCameraMaker.h"
+#include "RotatingMaker.h"
 #include "SweepMaker.h"
 #include "VelodyneMaker.h"
 
@@ -97,6 +98,17 @@ class SimulatedRobot {
             }
         }
         obs->pointcloud = points;
+        return obs;
+    }
+
+    /// 32 rows, 3 degrees apart (rotatingElevations()), with intensity.
+    auto rotatingScan(const std::string& label = "ROTATING", uint16_t columns = 360) {
+        const mrpt::poses::CPose3D mount{0.2, -0.1, 1.2, 0.4, 0, 0};
+        const auto obs =
+            rotatingScanOf([&](const auto& beam) { return rangeAlong(mount, beam); }, columns);
+        obs->sensorLabel = label;
+        obs->timestamp = now;
+        obs->sensorPose = mount;
         return obs;
     }
 

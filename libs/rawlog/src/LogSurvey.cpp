@@ -34,7 +34,9 @@ void see(LogSurvey& survey, const Config& config, const CObservation& obs) {
     if (const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(&obs)) {
         sensor.sweep.see(*scan);
     } else if (!sensor.scans3d) {
-        sensor.scans3d = scanClassOf(obs, config.sensorOf(obs.sensorLabel)) != nullptr;
+        const SensorConfig own = config.sensorOf(obs.sensorLabel);
+        sensor.scans3d = scanClassOf(obs, own) != nullptr;
+        if (!sensor.unsupported) sensor.unsupported = unsupportedReason(obs, own);
     }
 }
 

@@ -100,6 +100,8 @@ Rows sensorRows() {
                "point cloud: azimuth width of a column; 0: found in the cloud"),
         choice("sensor.time_reference", {"first", "middle", "last"}, FIELD(sensor.timeReference),
                "which moment of a scan its time stamp tells"),
+        choice("sensor.azimuth", {"auto", "ccw", "cw"}, FIELD(sensor.azimuthSense),
+               "rotating scan: the way round in which its azimuth counts"),
         list("sensor.elevations_deg", "deg", -90, 90, {}, FIELD(sensor.elevations),
              "range image: elevations of its rows, row 0 first; empty: known from the model"),
         number("sensor.min_range_m", "m", 0, 100, FIELD(sensor.minRange),

@@ -34,6 +34,8 @@ struct SensorSurvey {
     SweepDetector sweep;            ///< of 2D scans: is it a scanner that turns about the vertical?
     bool scans3d = false;           ///< whether it can be reduced
     std::optional<TimeSpan> times;  ///< of the observations that have a time
+    /// Why its first 3D observation that cannot be reduced cannot.
+    std::optional<std::string> unsupported;
 };
 
 /// Where the wheels say that the vehicle is, since they began to count.
