@@ -21,12 +21,14 @@ if(OFFMAP_COVERAGE)
 endif()
 
 # offmap_add_library(NAME SOURCES... ): target offmap_NAME, alias offmap::NAME, headers in include/.
+# Position independent, because others put it into plugins.
 function(offmap_add_library name)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/include/*.h)
   add_library(offmap_${name} STATIC ${ARGN})
   add_library(offmap::${name} ALIAS offmap_${name})
-  set_target_properties(offmap_${name} PROPERTIES EXPORT_NAME ${name})
-  target_include_directories(offmap_${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  set_target_properties(offmap_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_sources(offmap_${name} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
+  target_compile_features(offmap_${name} PUBLIC cxx_std_20)
   target_link_libraries(offmap_${name} PRIVATE $<BUILD_INTERFACE:offmap_options>)
 endfunction()
 
