@@ -87,9 +87,10 @@ class ReduceFixture : public testing::Test {
 
     /// Not every flipped byte can be noticed: a range is a range. But the program either writes a
     /// whole log (true), or says where its input is damaged and writes none (false).
-    bool reducesOrRefuses(const std::string& log) const {
+    bool reducesOrRefuses(const std::string& log, Arguments more = {}) const {
         writeFile(in_, log);
-        const RunResult run = reduce({"--force"});
+        more.push_back("--force");
+        const RunResult run = reduce(more);
         EXPECT_THAT(run.exitCode, testing::AnyOf(0, 2)) << testing::PrintToString(run);
         if (run.exitCode == 0) {
             EXPECT_EQ(entriesOf(out_).size(), entriesOf(in_).size());
