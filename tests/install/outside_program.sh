@@ -26,9 +26,11 @@ if command -v ccache >/dev/null; then
     export CCACHE_BASEDIR="$work" CCACHE_NOHASHDIR=1
 fi
 build_outside() { # SOURCES NAME
-    cmake -G Ninja -S "$1" -B "$work/$2" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_FLAGS='-Wall -Wextra -Werror' \
-        $launcher >"$work/$2.log" 2>&1 && cmake --build "$work/$2" >>"$work/$2.log" 2>&1 ||
-        { cat "$work/$2.log"; fail "$2: does not build"; }
+    if ! (cmake -G Ninja -S "$1" -B "$work/$2" -DCMAKE_PREFIX_PATH="$prefix" \
+        -DCMAKE_CXX_FLAGS='-Wall -Wextra -Werror' $launcher && cmake --build "$work/$2") >"$work/$2.log" 2>&1; then
+        cat "$work/$2.log"
+        fail "$2: does not build"
+    fi
 }
 
 echo "== components and a plugin"
