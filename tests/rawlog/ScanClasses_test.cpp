@@ -18,6 +18,7 @@ namespace offmap::rawlog {
 namespace {
 
 using mrpt::obs::CObservationVelodyneScan;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 CObservationVelodyneScan vlp16() {
@@ -31,7 +32,7 @@ void expectUnsupported(const mrpt::obs::CObservation& obs, const char* what) {
     const auto reason = unsupportedReason(obs, {});
     ASSERT_TRUE(reason);
     EXPECT_THAT(*reason, HasSubstr(what));
-    EXPECT_THAT(*reason, HasSubstr("not supported yet, copied unchanged"));
+    EXPECT_THAT(*reason, ContainsRegex("not supported.*copied unchanged"));
 }
 
 TEST(ScanClasses, supportedObservationsHaveTheirClass) {
@@ -64,24 +65,10 @@ TEST(ScanClasses, rotatingScanNeedsItsElevations) {
     EXPECT_THAT(unsupportedReason(*scan, {}).value_or(""), HasSubstr("sensor.elevations_deg"));
 }
 
-TEST(ScanClasses, otherVelodynesAreNamed) {
+TEST(ScanClasses, unknownVelodyneIsNamed) {
     auto scan = vlp16();
-    scan.scan_packets[1].velodyne_model_ID = 0x21;
-    expectUnsupported(scan, "HDL-32E");
     scan.scan_packets[1].velodyne_model_ID = 0x28;
     expectUnsupported(scan, "0x28");
-}
-
-TEST(ScanClasses, dualReturnsAreNamed) {
-    auto scan = vlp16();
-    scan.scan_packets[1].laser_return_mode = 0x39;
-    expectUnsupported(scan, "dual return");
-}
-
-TEST(ScanClasses, calibrationOfAnotherVelodyneIsNamed) {
-    auto scan = vlp16();
-    scan.calibration.laser_corrections.resize(64);
-    expectUnsupported(scan, "64 lasers");
 }
 
 TEST(ScanClasses, velodyneCloudWithoutPacketsIsNamed) {

@@ -6,6 +6,7 @@
 #include <offmap/rawlog/ScanClasses.h>
 #include <offmap/rawlog/SweepFan.h>
 #include <offmap/rawlog/SweepScan.h>
+#include <offmap/rawlog/VelodyneModel.h>
 #include <offmap/rawlog/VelodyneScan.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>

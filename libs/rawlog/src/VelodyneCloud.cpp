@@ -46,7 +46,8 @@ class ReturnFinder {
 
 /// Per point: its index among the points that stay, or `gone`.
 std::vector<uint64_t> newIndices(const Scan& obs, SlotMask keep, Leftovers leftovers) {
-    const ReturnFinder finder(decodePackets(obs));
+    // MRPT made the cloud, without azimuth corrections.
+    const ReturnFinder finder(decodePackets(obs, {.correctAzimuth = false}));
     const Scan::TPointCloud& cloud = obs.point_cloud;
     std::vector<uint64_t> indices(cloud.size(), gone);
     uint64_t next = 0;
@@ -82,6 +83,10 @@ void renumber(std::vector<uint64_t>& pointsOfLaser, const std::vector<uint64_t>&
 void filterStoredCloud(Scan& obs, SlotMask keep, Leftovers leftovers) {
     Scan::TPointCloud& cloud = obs.point_cloud;
     if (cloud.size() == 0) return;
+    if (cloud.y.size() != cloud.size() || cloud.z.size() != cloud.size()) {  // damaged
+        if (leftovers == Leftovers::Drop) cloud.clear();
+        return;
+    }
     const auto indices = newIndices(obs, keep, leftovers);
     filter(cloud.x, indices);
     filter(cloud.y, indices);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "VelodyneFields.h"
+
+#include <offmap/rawlog/VelodyneModel.h>
 #include <offmap/rawlog/VelodynePackets.h>
 
-#include <fmt/format.h>
 #include <mrpt/core/bits_math.h>
-#include <mrpt/core/reverse_bytes.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <stdexcept>
+#include <optional>
 
 namespace offmap::rawlog {
 
@@ -18,51 +17,22 @@ namespace {
 
 using Scan = mrpt::obs::CObservationVelodyneScan;
 using Packet = Scan::TVelodyneRawPacket;
-using LaserCalibrations = std::vector<mrpt::obs::VelodyneCalibration::PerLaserCalib>;
 using mrpt::math::TPoint3Df;
 
-// Times of the VLP-16 user manual [us].
-constexpr double blockPeriod = 110.592;
-constexpr double firingPeriod = 55.296;
-constexpr double laserPeriod = 2.304;
+constexpr size_t blocksPerPacket = Scan::BLOCKS_PER_PACKET;
 
-constexpr size_t lasers = 16;
-constexpr size_t firingsPerBlock = Scan::SCANS_PER_BLOCK / lasers;
+double toRadians(double hundredthsOfDegrees) { return mrpt::DEG2RAD(0.01 * hundredthsOfDegrees); }
 
-/// Fields of packets stand at odd addresses, where MRPT's accessors bind references to them.
-template <class T>
-T field(const void* record, size_t offset) {
-    T value;
-    std::memcpy(&value, static_cast<const char*>(record) + offset, sizeof value);
-    return mrpt::toNativeEndianness(value);
-}
-
-uint16_t headerOf(const Scan::raw_block_t& block) { return field<uint16_t>(&block, 0); }
-uint16_t rotationOf(const Scan::raw_block_t& block) { return field<uint16_t>(&block, 2); }
-uint32_t stampOf(const Packet& packet) { return field<uint32_t>(&packet, sizeof packet.blocks); }
-
-const LaserCalibrations& calibrationOf(const Scan& obs) {
-    static const mrpt::obs::VelodyneCalibration factory =
-        mrpt::obs::VelodyneCalibration::LoadDefaultCalibration("VLP16");
-    const auto& corrections =
-        (obs.calibration.empty() ? factory : obs.calibration).laser_corrections;
-    if (corrections.size() != lasers) {
-        throw std::invalid_argument(
-            fmt::format("the Velodyne calibration of '{}' is of {} lasers, but a VLP-16 has 16",
-                        obs.sensorLabel, corrections.size()));
+/// Median of what the head turns [1/100 deg] from block to block, of those that are `stride` apart.
+double medianStep(const Packet& packet, size_t stride) {
+    std::vector<int> steps;
+    for (size_t i = 0; i + stride < blocksPerPacket; ++i) {
+        const int step = rotationOf(packet.blocks[i + stride]) - rotationOf(packet.blocks[i]);
+        steps.push_back((step + 2 * Scan::ROTATION_MAX_UNITS) % Scan::ROTATION_MAX_UNITS);
     }
-    return corrections;
-}
-
-/// [1/100 deg] that the head turns in one block period.
-double rotationPerBlock(const Packet& packet) {
-    std::array<int, Scan::BLOCKS_PER_PACKET - 1> steps{};
-    for (size_t i = 0; i < steps.size(); ++i) {
-        const int step = rotationOf(packet.blocks[i + 1]) - rotationOf(packet.blocks[i]);
-        steps[i] = (step + Scan::ROTATION_MAX_UNITS) % Scan::ROTATION_MAX_UNITS;
-    }
-    std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-    return steps[steps.size() / 2];
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
 }
 
 /// The packet's stamp counts microseconds from the full hour, and starts again at the next.
@@ -73,6 +43,12 @@ std::chrono::microseconds sinceFirstPacket(const Scan& obs, const Packet& packet
     if (elapsed <= -hour / 2) elapsed += hour;
     if (elapsed > hour / 2) elapsed -= hour;
     return std::chrono::microseconds(elapsed);
+}
+
+mrpt::Clock::time_point timeOfFirstPacket(const Scan& obs, TimeReference reference) {
+    if (reference == TimeReference::First || obs.scan_packets.empty()) return obs.timestamp;
+    const auto lasted = sinceFirstPacket(obs, obs.scan_packets.back());
+    return obs.timestamp - (reference == TimeReference::Last ? lasted : lasted / 2);
 }
 
 /// \param clockwise [rad] azimuth as the sensor counts it
@@ -89,13 +65,22 @@ TPoint3Df pointOf(uint16_t distance, double clockwise,
             static_cast<float>(range * laser.sinVertCorrection + laser.verticalOffsetCorrection)};
 }
 
-double toRadians(double hundredthsOfDegrees) { return mrpt::DEG2RAD(0.01 * hundredthsOfDegrees); }
-
 class Decoder {
  public:
-    explicit Decoder(const Scan& obs) : obs_(obs), lasers_(calibrationOf(obs)) {
+    Decoder(const Scan& obs, const VelodyneDecoding& decoding)
+        : obs_(obs),
+          model_(modelOf(obs)),
+          lasers_(calibrationOf(obs, model_)),
+          lasersPerBlock_(Scan::SCANS_PER_BLOCK / model_.firingsPerBlock),
+          start_(timeOfFirstPacket(obs, decoding.timeReference)) {
         out_.points.reserve(obs.scan_packets.size() * slotsPerPacket);
         out_.slots.reserve(obs.scan_packets.size() * slotsPerPacket);
+        out_.lasers.reserve(obs.scan_packets.size() * slotsPerPacket);
+        const auto turned = [](const auto& laser) { return laser.azimuthCorrection != 0; };
+        if (!decoding.correctAzimuth || std::ranges::none_of(lasers_, turned)) return;
+        for (const auto& laser : lasers_) {
+            out_.azimuthCorrections.push_back(mrpt::DEG2RAD(laser.azimuthCorrection + 0.0));
+        }
     }
 
     VelodyneReturns decode() && {
@@ -104,47 +89,126 @@ class Decoder {
     }
 
  private:
+    /// Where the returns of one firing are.
+    struct Place {
+        size_t packet, block;
+        size_t firing;                ///< in the block
+        std::optional<size_t> other;  ///< block of its lower bank, or of its strongest returns
+        double rate;                  ///< [1/100 deg / us]
+    };
+
+    bool isUpper(const Scan::raw_block_t& block) const {
+        return headerOf(block) == Scan::UPPER_BANK;
+    }
+    bool isMangled(const Scan::raw_block_t& block) const {
+        const bool lower = model_.twoBanks && headerOf(block) == Scan::LOWER_BANK;
+        return (!isUpper(block) && !lower) || rotationOf(block) >= Scan::ROTATION_MAX_UNITS;
+    }
+
+    /// Whether the block after b belongs to the same firing.
+    bool isPair(const Packet& packet, size_t b) const {
+        const auto &block = packet.blocks[b], &next = packet.blocks[b + 1];
+        return isUpper(block) && !isMangled(next) && isUpper(next) != model_.twoBanks &&
+               rotationOf(next) == rotationOf(block);
+    }
+
     void decodePacket(size_t p) {
         const Packet& packet = obs_.scan_packets[p];
-        const auto packetTime = obs_.timestamp + sinceFirstPacket(obs_, packet);
-        const double rate = rotationPerBlock(packet) / blockPeriod;
-        for (size_t b = 0; b < Scan::BLOCKS_PER_PACKET; ++b) {
-            if (headerOf(packet.blocks[b]) != Scan::UPPER_BANK) continue;  // mangled
-            for (size_t f = 0; f < firingsPerBlock; ++f) {
-                const double offset =
-                    static_cast<double>(b) * blockPeriod + static_cast<double>(f) * firingPeriod;
-                const auto sincePacket = std::chrono::duration<double, std::micro>(offset);
-                VelodyneFiring firing;
-                firing.time =
-                    packetTime + std::chrono::duration_cast<mrpt::Clock::duration>(sincePacket);
-                const size_t firstSlot =
-                    (p * Scan::BLOCKS_PER_PACKET + b) * Scan::SCANS_PER_BLOCK + f * lasers;
-                decodeFiring(firing, packet.blocks[b], f, firstSlot, rate);
+        const auto packetTime = start_ + sinceFirstPacket(obs_, packet);
+        const bool dual = model_.tellsReturnMode && packet.laser_return_mode == Scan::RETMODE_DUAL;
+        const size_t stride = dual || model_.twoBanks ? 2 : 1;
+        const double rate = medianStep(packet, stride) / model_.blockPeriod;
+        for (size_t b = 0; b < blocksPerPacket; ++b) {
+            const size_t first = b;
+            if (isMangled(packet.blocks[first])) continue;
+            std::optional<size_t> other;
+            if (stride == 2 && b % 2 == 0 && isPair(packet, b)) other = ++b;
+            for (size_t f = 0; f < model_.firingsPerBlock; ++f) {
+                const double late = static_cast<double>(first / stride) * model_.blockPeriod +
+                                    static_cast<double>(f) * model_.firingPeriod;
+                const auto sincePacket = std::chrono::duration<double, std::micro>(late);
+                decodeFiring(
+                    {p, first, f, other, rate},
+                    packetTime + std::chrono::duration_cast<mrpt::Clock::duration>(sincePacket));
             }
         }
     }
 
-    /// \param rate [1/100 deg / us]
-    void decodeFiring(VelodyneFiring firing, const Scan::raw_block_t& block, size_t f,
-                      size_t firstSlot, double rate) {
-        const double start =
-            rotationOf(block) + rate * firingPeriod * static_cast<double>(f);  // [1/100 deg]
-        const double middle = start + rate * laserPeriod * 0.5 * (lasers - 1);
-        firing.azimuth = -toRadians(middle);
-        firing.begin = static_cast<uint32_t>(out_.points.size());
-        for (size_t l = 0; l < lasers; ++l) {
-            const uint16_t distance = distanceOf(block.laser_returns[f * lasers + l]);
-            if (distance == 0) continue;
-            const double clockwise = start + rate * laserPeriod * static_cast<double>(l);
-            out_.points.push_back(pointOf(distance, toRadians(clockwise), lasers_[l]));
-            out_.slots.push_back(static_cast<uint32_t>(firstSlot + l));
+    void decodeFiring(const Place& place, mrpt::Clock::time_point time) {
+        VelodyneFiring firing;
+        firing.time = time;
+        firing.azimuth =
+            -toRadians(clockwise(place, 0.5 * static_cast<double>(lasersPerBlock_ - 1)));
+        firing.begin = firing.second = pointCount();
+        const bool dual = place.other && !model_.twoBanks;
+        for (size_t l = 0; l < lasersPerBlock_; ++l) {
+            const uint16_t last = distance(place, place.block, l);
+            if (last != 0) addReturn(place, place.block, l);
+            if (!dual) continue;
+            const uint16_t strongest = distance(place, *place.other, l);
+            if (strongest != 0 && (last == 0 || last == strongest)) {
+                addReturn(place, *place.other, l);
+            }
         }
-        firing.end = static_cast<uint32_t>(out_.points.size());
+        if (place.other && model_.twoBanks) addLowerBank(place);
+        firing.second = pointCount();
+        if (dual) addDifferent(place);
+        firing.end = pointCount();
         out_.firings.push_back(firing);
     }
 
+    void addLowerBank(const Place& place) {
+        for (size_t l = 0; l < lasersPerBlock_; ++l) {
+            if (distance(place, *place.other, l) != 0) addReturn(place, *place.other, l);
+        }
+    }
+
+    /// The strongest returns of lasers whose last return is another one.
+    void addDifferent(const Place& place) {
+        for (size_t l = 0; l < lasersPerBlock_; ++l) {
+            const uint16_t last = distance(place, place.block, l);
+            const uint16_t strongest = distance(place, *place.other, l);
+            if (last != 0 && strongest != 0 && last != strongest) {
+                addReturn(place, *place.other, l);
+            }
+        }
+    }
+
+    /// [1/100 deg] that the head has turned when it fires the l-th laser of a block.
+    double clockwise(const Place& place, double l) const {
+        const double late =
+            static_cast<double>(place.firing) * model_.firingPeriod + l * model_.laserPeriod;
+        return rotationOf(obs_.scan_packets[place.packet].blocks[place.block]) + place.rate * late;
+    }
+
+    size_t inBlock(const Place& place, size_t l) const {
+        return place.firing * lasersPerBlock_ + l;
+    }
+
+    uint16_t distance(const Place& place, size_t block, size_t l) const {
+        const auto& returns = obs_.scan_packets[place.packet].blocks[block].laser_returns;
+        return distanceOf(returns[inBlock(place, l)]);
+    }
+
+    void addReturn(const Place& place, size_t block, size_t l) {
+        const bool lower = !isUpper(obs_.scan_packets[place.packet].blocks[block]);
+        const size_t laser = l + (lower ? Scan::SCANS_PER_BLOCK : 0);
+        double azimuth = toRadians(clockwise(place, static_cast<double>(l)));
+        if (!out_.azimuthCorrections.empty()) azimuth -= out_.azimuthCorrections[laser];
+        const size_t blockOfScan = place.packet * blocksPerPacket + block;
+        const size_t slot = blockOfScan * Scan::SCANS_PER_BLOCK + inBlock(place, l);
+        out_.points.push_back(pointOf(distance(place, block, l), azimuth, lasers_[laser]));
+        out_.slots.push_back(static_cast<uint32_t>(slot));
+        out_.lasers.push_back(static_cast<uint8_t>(laser));
+    }
+
+    uint32_t pointCount() const { return static_cast<uint32_t>(out_.points.size()); }
+
     const Scan& obs_;
-    const LaserCalibrations& lasers_;
+    const VelodyneModel& model_;
+    LaserCalibrations lasers_;
+    size_t lasersPerBlock_;
+    mrpt::Clock::time_point start_;
     VelodyneReturns out_;
 };
 
@@ -154,12 +218,14 @@ uint16_t distanceOf(const Scan::laser_return_t& laserReturn) {
     return field<uint16_t>(&laserReturn, 0);
 }
 
-VelodyneReturns decodePackets(const Scan& obs) { return Decoder(obs).decode(); }
+VelodyneReturns decodePackets(const Scan& obs, const VelodyneDecoding& decoding) {
+    return Decoder(obs, decoding).decode();
+}
 
 const Scan::laser_return_t& returnInSlot(const Scan& obs, size_t slot) {
     const size_t block = slot / Scan::SCANS_PER_BLOCK;
-    return obs.scan_packets[block / Scan::BLOCKS_PER_PACKET]
-        .blocks[block % Scan::BLOCKS_PER_PACKET]
+    return obs.scan_packets[block / blocksPerPacket]
+        .blocks[block % blocksPerPacket]
         .laser_returns[slot % Scan::SCANS_PER_BLOCK];
 }
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/ColumnBuilder.h>
 #include <offmap/rawlog/VelodyneCloud.h>
+#include <offmap/rawlog/VelodyneColumns.h>
 #include <offmap/rawlog/VelodynePackets.h>
 #include <offmap/rawlog/VelodyneScan.h>
 
-#include <fmt/format.h>
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/obs/CObservationPointCloud.h>
-
-#include <stdexcept>
 
 namespace offmap::rawlog {
 
@@ -16,30 +14,34 @@ namespace {
 
 using Scan = mrpt::obs::CObservationVelodyneScan;
 
-constexpr uint8_t modelHdl32 = 0x21;
-constexpr uint8_t modelVlp16 = 0x22;
-constexpr size_t vlp16Lasers = 16;
-
 const Scan& asScan(const mrpt::obs::CObservation& obs) { return dynamic_cast<const Scan&>(obs); }
 
-void appendFirings(TurnScan& out, const Scan& obs, uint32_t firstSlot, const PoseSource& poses,
+void appendColumns(TurnScan& out, const Scan& obs, uint32_t firstSlot, const PoseSource& poses,
                    const SensorConfig& config) {
     const mrpt::poses::CPose3D mounting = sensorInVehicle(obs, config);
-    const VelodyneReturns decoded = decodePackets(obs);
+    const VelodyneReturns decoded = decodePackets(obs, {.timeReference = config.timeReference});
+    const VelodyneColumns gathered = gatherColumns(decoded);
     std::vector<ColumnReturn> returns;
-    for (const VelodyneFiring& firing : decoded.firings) {
+    for (const VelodyneColumn& from : gathered.columns) {
         returns.clear();
-        for (uint32_t i = firing.begin; i < firing.end; ++i) {
-            if (!countReturn(out.counts, decoded.points[i])) continue;
-            returns.push_back({decoded.points[i], firstSlot + decoded.slots[i]});
+        for (uint32_t i = from.begin; i < from.end; ++i) {
+            const uint32_t r = gathered.returns[i];
+            if (!countReturn(out.counts, decoded.points[r])) continue;
+            returns.push_back({decoded.points[r], firstSlot + decoded.slots[r]});
         }
         core::ScanColumn column;
-        column.azimuth = static_cast<float>(azimuthInVehicle(firing.azimuth, mounting));
-        column.time = firing.time;
-        placeColumn(column, poses.at(firing.time), mounting);
+        column.azimuth = static_cast<float>(azimuthInVehicle(from.azimuth, mounting));
+        column.time = from.time;
+        placeColumn(column, poses.at(from.time), mounting);
         appendColumn(out, column, mounting, returns);
     }
     out.counts.zero += obs.scan_packets.size() * slotsPerPacket - decoded.points.size();
+}
+
+/// Whether return i repeats the one before: both of one laser in dual return mode.
+bool isRepeated(const VelodyneReturns& decoded, size_t i) {
+    return i > 0 && decoded.lasers[i] == decoded.lasers[i - 1] &&
+           decoded.points[i] == decoded.points[i - 1];
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ TurnScan VelodyneScan::organize(const Turn& turn, const PoseSource& poses,
     TurnScan out;
     size_t firstSlot = 0;
     for (const auto& obs : turn) {
-        appendFirings(out, asScan(*obs), static_cast<uint32_t>(firstSlot), poses, config);
+        appendColumns(out, asScan(*obs), static_cast<uint32_t>(firstSlot), poses, config);
         firstSlot += slotCount(*obs);
     }
     return out;
@@ -84,6 +86,7 @@ mrpt::obs::CObservation::Ptr VelodyneScan::asPointCloud(const mrpt::obs::CObserv
     auto cloud = mrpt::maps::CPointsMapXYZI::Create();
     for (size_t i = 0; i < decoded.points.size(); ++i) {
         if (!keep[decoded.slots[i]]) continue;
+        if (isRepeated(decoded, i) && keep[decoded.slots[i - 1]]) continue;
         const auto& p = decoded.points[i];
         const float intensity =
             static_cast<float>(returnInSlot(scan, decoded.slots[i]).intensity()) / 255.0F;
@@ -95,31 +98,6 @@ mrpt::obs::CObservation::Ptr VelodyneScan::asPointCloud(const mrpt::obs::CObserv
     out->sensorPose = scan.sensorPose;
     out->pointcloud = cloud;
     return out;
-}
-
-std::optional<std::string> unsupportedVelodyne(const Scan& obs) {
-    if (obs.scan_packets.empty() && obs.point_cloud.size() > 0) {
-        return "a Velodyne scan without its packets is not supported yet, copied unchanged";
-    }
-    for (const auto& packet : obs.scan_packets) {
-        if (packet.velodyne_model_ID == modelHdl32) {
-            return "Velodyne HDL-32E is not supported yet, copied unchanged";
-        }
-        if (packet.velodyne_model_ID != modelVlp16) {
-            return fmt::format(
-                "Velodyne model 0x{:02x} (VLP-16 is 0x22) is not supported yet, copied unchanged",
-                packet.velodyne_model_ID);
-        }
-        if (packet.laser_return_mode == Scan::RETMODE_DUAL) {
-            return "Velodyne dual return mode is not supported yet, copied unchanged";
-        }
-    }
-    const size_t lasers = obs.calibration.laser_corrections.size();
-    if (lasers != 0 && lasers != vlp16Lasers) {
-        return fmt::format(
-            "a Velodyne calibration of {} lasers is not supported yet, copied unchanged", lasers);
-    }
-    return {};
 }
 
 }  // namespace offmap::rawlog

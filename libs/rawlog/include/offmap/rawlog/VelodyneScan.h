@@ -5,12 +5,9 @@
 
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
-#include <optional>
-#include <string>
-
 namespace offmap::rawlog {
 
-/// CObservationVelodyneScan of a VLP-16: one column a firing. A slot is a laser return in a packet;
+/// CObservationVelodyneScan of a VLP-16, HDL-32E or HDL-64E. A slot is a laser return in a packet;
 /// one that is taken out becomes distance 0.
 class VelodyneScan final : public ScanClass {
  public:
@@ -21,12 +18,10 @@ class VelodyneScan final : public ScanClass {
                       const SensorConfig& config) const override;
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
                                           Leftovers leftovers) const override;
-    /// CPointsMapXYZI, intensities from 0 to 1.
+    /// CPointsMapXYZI, intensities from 0 to 1. Of two equal returns of a laser (dual return mode),
+    /// one.
     mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs, SlotMask keep,
                                               const SensorConfig& config) const override;
 };
-
-/// Why a Velodyne scan cannot be decoded; none if it can.
-std::optional<std::string> unsupportedVelodyne(const mrpt::obs::CObservationVelodyneScan& obs);
 
 }  // namespace offmap::rawlog
