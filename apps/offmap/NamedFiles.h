@@ -11,7 +11,9 @@ namespace offmap::app {
 /// A file of the command line and how the command line calls it: "OUT", "--removed".
 using NamedFile = std::pair<std::string, std::filesystem::path>;
 
-/// Empty paths are passed over. \throw UsageError if two are the same file
-void requireDistinct(const std::vector<NamedFile>& files);
+/// Every file that is written must be another than all others; those that are only read may be the
+/// same. Empty paths are passed over. \throw UsageError if two are the same file
+void requireDistinct(const std::vector<NamedFile>& written,
+                     const std::vector<NamedFile>& read = {});
 
 }  // namespace offmap::app

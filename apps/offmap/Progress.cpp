@@ -33,11 +33,15 @@ std::string bar(double share) {
 
 }  // namespace
 
-Progress::Progress(bool quiet)
-    : terminal_(isatty(STDERR_FILENO) == 1),
+Progress::Progress(bool quiet, const std::string& title)
+    : title_(title.empty() ? "" : title + "  "),
+      terminal_(isatty(STDERR_FILENO) == 1),
       quiet_(quiet),
-      next_(Clock::now() + (terminal_ ? std::chrono::milliseconds(300)
-                                      : std::chrono::milliseconds(betweenLines))) {}
+      next_(Clock::now() + std::chrono::milliseconds(betweenLines)) {
+    // One of many short tasks shows at once; one by itself may be done before it could be read.
+    constexpr std::chrono::milliseconds patience{300};
+    if (terminal_) next_ = Clock::now() + (title.empty() ? patience : patience * 0);
+}
 
 void Progress::tellSurvey(double share) {
     if (due()) draw(share, "read for poses and sensors");
@@ -62,9 +66,9 @@ bool Progress::due() {
 
 void Progress::draw(double share, const std::string& figures) {
     if (terminal_) {
-        say(stderr, "\r[{}] {:3.0f} %  {}\x1b[K", bar(share), 100 * share, figures);
+        say(stderr, "\r[{}] {:3.0f} %  {}{}\x1b[K", bar(share), 100 * share, title_, figures);
     } else {
-        say(stderr, "{:.0f} %  {}\n", 100 * share, figures);
+        say(stderr, "{:.0f} %  {}{}\n", 100 * share, title_, figures);
     }
     drawn_ = terminal_;
 }

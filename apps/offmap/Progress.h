@@ -11,8 +11,8 @@ namespace offmap::app {
 /// a line of its own where the output is piped.
 class Progress {
  public:
-    /// \param quiet tells nothing
-    explicit Progress(bool quiet);
+    /// \param quiet tells nothing \param title what the task is: "2/7 run2.rawlog"; may be empty
+    explicit Progress(bool quiet, const std::string& title = "");
     ~Progress() { clear(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -32,6 +32,7 @@ class Progress {
 
     using Clock = std::chrono::steady_clock;
 
+    std::string title_;
     bool terminal_, quiet_, drawn_ = false;
     Clock::time_point start_ = Clock::now(), next_;
 };

@@ -3,11 +3,9 @@
 
 #include "Console.h"
 #include "Guarded.h"
-#include "ReduceJob.h"
-#include "UsageError.h"
-
-#include <offmap/rawlog/EntryPlace.h>
-#include <offmap/rawlog/GuardedRun.h>
+#include "ReduceBatch.h"
+#include "ReduceGuarded.h"
+#include "SummaryText.h"
 
 #include <memory>
 
@@ -15,42 +13,41 @@ namespace offmap::app {
 
 namespace {
 
-int reduceGuarded(const ReduceOptions& options, const rawlog::Config& config,
-                  const core::LineMap& map, const ReadableLog& readable) {
-    using Kind = rawlog::GuardedOutcome::Kind;
-    const rawlog::GuardedOutcome outcome =
-        reportingErrorsGuarded([&](rawlog::GuardedStatus& status) {
-            return reduceLog(options, config, map, readable, status);
-        });
-    if (outcome.kind == Kind::Finished) return outcome.exitCode;
-    if (outcome.kind == Kind::Interrupted) return exitCodeOfInterruption(outcome);
-    const std::string what = rawlog::unreadableEntry(
-        options.input, outcome.place.value_or(rawlog::EntryPlace{}), outcome.cause);
-    const uint64_t readableEntries = outcome.place ? outcome.place->index : 0;
-    if (options.keepGoing && readableEntries > 0 && readableEntries < readable.entries) {
-        return reduceGuarded(options, config, map, {readableEntries, what});
+int reduceAlone(const ReduceJob& job, const ReduceFiles& files) {
+    const LogOutcome outcome = reduceGuarded(job, {files, ""});
+    if (!outcome.reduced) {
+        if (outcome.error.empty()) return exitCodeOfInterruption(outcome.guarded);
+        say(stderr, "offmap: {}\n", outcome.error);
+        return outcome.exitCode;
     }
-    const bool keepGoingHelps = !options.keepGoing && readableEntries > 0;
-    say(stderr, "offmap: {}{}\n", what,
-        keepGoingHelps ? "; --keep-going writes what stands before it" : "");
-    return exitFailed;
+    if (!job.options.quiet) {
+        say(stdout, "{}wrote   {} ({}, was {})\n",
+            summaryOf(outcome.reduced->totals, outcome.reduced->seconds), files.output.string(),
+            sizeText(sizeOf(files.output)), sizeText(sizeOf(files.input)));
+    }
+    for (const std::string& warning : outcome.reduced->warnings) {
+        say(stderr, "warning: {}\n", warning);
+    }
+    return outcome.exitCode;
 }
 
 }  // namespace
 
 void addReduceCommand(CLI::App& app, int& exitCode) {
     CLI::App& command = *app.add_subcommand(
-        "reduce", "Take out of the 3D scans of a rawlog what the map already knows");
+        "reduce", "Take out of the 3D scans of rawlogs what the map already knows");
     const auto options = std::make_shared<ReduceOptions>();
     options->addTo(command);
     command.footer(
         "Exit codes: 0 done, 1 usage, 2 input or output failed, 3 with --strict: a scan could not "
-        "be reduced");
+        "be reduced; of several logs, the worst: 2, then 3, then 1");
     command.callback([options, &exitCode] {
-        options->checkFiles();
+        const std::vector<ReduceFiles> logs = filesOf(*options);
         const rawlog::Config config = options->shared.readConfig();
         const core::LineMap map = options->shared.readMap(config);
-        exitCode = reduceGuarded(*options, config, map, {});
+        const ReduceJob job{*options, config, map};
+        exitCode =
+            writesFolders(*options) ? reduceBatch(job, logs) : reduceAlone(job, logs.front());
     });
 }
 

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceOptions.h"
 
-#include "NamedFiles.h"
-
-#include <utility>
-
 namespace offmap::app {
 
 void ReduceOptions::addTo(CLI::App& command) {
-    command.add_option("IN", input, "Rawlog to reduce; it is only read")
+    command.add_option("IN", inputs, "Rawlogs to reduce; they are only read")
         ->required()
         ->type_name("FILE");
-    command.add_option("-o,--out", output, "Reduced rawlog")->required()->type_name("OUT");
+    command
+        .add_option("-o,--out", output,
+                    "Reduced rawlog; a folder if there are several, then also of the other outputs")
+        ->required()
+        ->type_name("OUT");
     shared.addTo(command);
     command.add_option("--removed", removed, "Rawlog of what was removed; with OUT it makes up IN")
         ->type_name("FILE");
     command.add_option("--report", report, "Figures in total and per scan")->type_name("FILE.json");
+    command.add_option("--segments", segments, "What became of every vertical segment, and why")
+        ->type_name("FILE.csv");
     command.add_option("--sensor", sensors, "Reduce this sensor only; may be repeated")
         ->type_name("LABEL")
         ->allow_extra_args(false);
@@ -30,15 +32,6 @@ void ReduceOptions::addTo(CLI::App& command) {
                      "poses");
     command.add_flag("--force", force, "Replace existing outputs");
     command.add_flag("--quiet", quiet, "No progress and no summary; warnings stay");
-}
-
-void ReduceOptions::checkFiles() const {
-    requireDistinct({{"IN", input},
-                     {"OUT", output},
-                     {"--removed", removed},
-                     {"--report", report},
-                     {"--map", shared.map},
-                     {"--config", shared.config}});
 }
 
 }  // namespace offmap::app

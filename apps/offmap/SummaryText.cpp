@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <system_error>
 #include <vector>
 
 namespace offmap::app {
@@ -118,6 +119,24 @@ std::string summaryOf(const ReductionTotals& totals, double wallSeconds) {
         }
     }
     return out + "\n";
+}
+
+std::string summaryLineOf(const ReductionTotals& totals, const std::string& name,
+                          size_t nameWidth) {
+    return fmt::format("{:{}}  {:>7} scans {:>12} points {:>5.1f} % removed{}\n", name, nameWidth,
+                       grouped(totals.scans), grouped(totals.counts.returns),
+                       percent(totals.removed(), totals.counts.returns), scansText(totals));
+}
+
+uint64_t sizeOf(const std::filesystem::path& file) {
+    std::error_code error;
+    const uint64_t size = std::filesystem::file_size(file, error);
+    return error ? 0 : size;
+}
+
+std::string sizeText(uint64_t bytes) {
+    const auto size = static_cast<double>(bytes);
+    return size < 1e6 ? fmt::format("{:.1f} kB", size / 1e3) : fmt::format("{:.1f} MB", size / 1e6);
 }
 
 }  // namespace offmap::app

@@ -78,8 +78,12 @@ TEST_F(BadCommandLine, outputMayNotBeTheInput) {
 TEST_F(BadCommandLine, outputsMayNotBeEachOther) {
     expectRefused({"--removed", out_}, HasSubstr("OUT and --removed are the same file"));
     expectRefused({"--report", out_}, HasSubstr("OUT and --report are the same file"));
+    expectRefused({"--segments", out_}, HasSubstr("OUT and --segments are the same file"));
+    const Path report = folder_ / "report";
+    expectRefused({"--report", report, "--segments", report},
+                  HasSubstr("--report and --segments are the same file"));
     expectRefused({"--removed", in_, "--force"}, HasSubstr("IN and --removed are the same file"));
-    expectRefused({"--report", map_, "--force"}, HasSubstr("--report and --map are the same file"));
+    expectRefused({"--report", map_, "--force"}, HasSubstr("--map and --report are the same file"));
 }
 
 TEST_F(BadCommandLine, sigmaWithoutFixedPoseIsRefused) {
@@ -98,10 +102,10 @@ TEST(CommandLine, helpNamesEveryOption) {
     EXPECT_EQ(reduce.exitCode, 0);
     EXPECT_EQ(reduce.err, "");
     for (const char* option :
-         {"IN",           "--map",    "-o",        "--removed",    "--report", "--method",
-          "--config",     "--set",    "--sensor",  "--pose-label", "--pose ",  "--pose-sigma",
-          "--map-origin", "--output", "same",      "points",       "--strict", "--keep-going",
-          "--force",      "--quiet",  "Exit codes"}) {
+         {"IN",           "--map",        "-o",       "--removed", "--report",     "--segments",
+          "--method",     "--config",     "--set",    "--sensor",  "--pose-label", "--pose ",
+          "--pose-sigma", "--map-origin", "--output", "same",      "points",       "--strict",
+          "--keep-going", "--force",      "--quiet",  "Exit codes"}) {
         EXPECT_THAT(reduce.out, HasSubstr(option));
     }
     const RunResult render = runOffmap({"render", "--help"});

@@ -20,8 +20,10 @@ TEST_F(BadOutput, missingFolderIsNotCreated) {
 }
 
 TEST_F(BadOutput, folderIsNoFile) {
-    out_ = folder_.path();
-    expectRefusal(reduceArguments({"--force"}), 2, HasSubstr("it is a folder"));
+    for (const char* option : {"--removed", "--report", "--segments"}) {
+        expectRefusal(reduceArguments({option, folder_.path(), "--force"}), 2,
+                      HasSubstr("it is a folder"));
+    }
 }
 
 TEST_F(BadOutput, existingFileNeedsForce) {
@@ -36,7 +38,7 @@ TEST_F(BadOutput, existingFileNeedsForce) {
 TEST_F(BadOutput, otherExistingFilesNeedForceToo) {
     const Path other = folder_ / "other";
     writeFile(other, "yesterday's result");
-    for (const char* option : {"--removed", "--report"}) {
+    for (const char* option : {"--removed", "--report", "--segments"}) {
         expectRefusal(reduceArguments({option, other}), 2,
                       AllOf(HasSubstr(other.string()), HasSubstr("--force")));
     }

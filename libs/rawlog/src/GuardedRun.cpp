@@ -153,6 +153,7 @@ GuardedOutcome outcomeOf(int status, int interruption, const GuardedMemory& memo
     if (memory.finished && WIFEXITED(status)) {
         outcome.kind = GuardedOutcome::Kind::Finished;
         outcome.exitCode = WEXITSTATUS(status);
+        outcome.signal = interruption;
     } else if (interruption != 0) {
         outcome.kind = GuardedOutcome::Kind::Interrupted;
         outcome.signal = interruption;

@@ -47,7 +47,8 @@ struct GuardedOutcome {
 
     Kind kind = Kind::Died;
     int exitCode = 0;                 ///< what the work returned, if it finished
-    int signal = 0;                   ///< that interrupted it or that it died of; else 0
+    int signal = 0;                   ///< that interrupted it, came too late to, or that it died
+                                      ///< of; else 0
     std::optional<EntryPlace> place;  ///< the last one that it told
     std::string cause;                ///< why it died, in words
 };

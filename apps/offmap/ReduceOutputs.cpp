@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReduceOutputs.h"
+
+namespace offmap::app {
+
+ReduceOutputs::ReduceOutputs(const ReduceFiles& files, bool force, rawlog::GuardedStatus& status)
+    : status_(status) {
+    const rawlog::OutputOptions compressed{6, force, &status}, plain{std::nullopt, force, &status};
+    reduced_.emplace(files.output, compressed);
+    if (!files.removed.empty()) removed_.emplace(files.removed, compressed);
+    if (!files.report.empty()) report_.emplace(files.report, plain);
+    if (!files.segments.empty()) segments_.emplace(files.segments, plain);
+}
+
+void ReduceOutputs::begin(const nlohmann::ordered_json& head) {
+    if (report_) report_->begin(head);
+}
+
+void ReduceOutputs::add(const rawlog::ReducedTurn& turn, const core::ReductionResult& result) {
+    if (report_) report_->add(turn.record);
+    if (segments_) segments_->add(turn, result);
+}
+
+void ReduceOutputs::finish(const rawlog::ReductionTotals& totals,
+                           const nlohmann::ordered_json& tail) {
+    reduced_->finish();
+    if (removed_) removed_->finish();
+    if (report_) report_->finish(totals, tail);
+    if (segments_) segments_->finish();
+}
+
+void ReduceOutputs::publish() {
+    status_.beginPublishing();
+    if (removed_) removed_->publish();
+    if (report_) report_->publish();
+    if (segments_) segments_->publish();
+    reduced_->publish();  // last: where it is, the others are
+}
+
+}  // namespace offmap::app

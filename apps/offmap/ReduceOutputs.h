@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ReduceFiles.h"
+
+#include <offmap/rawlog/GuardedRun.h>
+#include <offmap/rawlog/RawlogWriter.h>
+#include <offmap/rawlog/ReportFile.h>
+#include <offmap/rawlog/SegmentsFile.h>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace offmap::app {
+
+/// The outputs of one reduction, all of which are complete before the first one appears.
+class ReduceOutputs {
+ public:
+    ReduceOutputs(const ReduceFiles& files, bool force, rawlog::GuardedStatus& status);
+
+    rawlog::RawlogWriter& reduced() { return *reduced_; }
+    rawlog::RawlogWriter* removed() { return removed_ ? &*removed_ : nullptr; }
+
+    /// \param head of the report
+    void begin(const nlohmann::ordered_json& head);
+    void add(const rawlog::ReducedTurn& turn, const core::ReductionResult& result);
+    /// \param tail of the report
+    void finish(const rawlog::ReductionTotals& totals, const nlohmann::ordered_json& tail);
+    void publish();
+
+ private:
+    rawlog::GuardedStatus& status_;
+    std::optional<rawlog::RawlogWriter> reduced_, removed_;
+    std::optional<rawlog::ReportFile> report_;
+    std::optional<rawlog::SegmentsFile> segments_;
+};
+
+}  // namespace offmap::app
