@@ -9,7 +9,7 @@ void ReduceOptions::addTo(CLI::App& command) {
         ->type_name("FILE");
     command
         .add_option("-o,--out", output,
-                    "Reduced rawlog; a folder if there are several, then also of the other outputs")
+                    "Reduced rawlog; with several IN a folder, as the other outputs then are")
         ->required()
         ->type_name("OUT");
     shared.addTo(command);
