@@ -51,8 +51,8 @@ void requireScans(const std::filesystem::path& input, const rawlog::LogSurvey& s
     }
     throw std::runtime_error(
         fmt::format("{} holds no 3D scan that could be reduced, only: {}; a VLP-16, a rotating "
-                    "scan, a point cloud or a 2D scanner that turns about the vertical is needed "
-                    "(--keep-going copies the log)",
+                    "scan, a depth camera, a point cloud or a 2D scanner that turns about the "
+                    "vertical is needed (--keep-going copies the log)",
                     input.string(),
                     seen.empty() ? "no observation" : fmt::format("{}", fmt::join(seen, ", "))));
 }
