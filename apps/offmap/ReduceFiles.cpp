@@ -119,6 +119,7 @@ std::vector<ReduceFiles> filesOf(const ReduceOptions& options) {
     }
     read.emplace_back("--map", options.shared.map);
     read.emplace_back("--config", options.shared.config);
+    read.emplace_back("--trajectory", options.shared.poses.trajectory);
     requireDistinct(written, read);
     return all;
 }

@@ -154,6 +154,7 @@ ReducedLog reduceLog(const ReduceJob& job, const LogToReduce& log, const Readabl
     ReducedLog reduced;
     reduced.totals = writeOutputs(job, log, survey, *poses.source, outputs, status);
     reduced.warnings = reduced.totals.warnings();
+    if (!poses.warning.empty()) reduced.warnings.push_back(poses.warning);
     if (!endsBecause.empty()) {
         reduced.warnings.push_back(fmt::format("only the first {} entries were read: {}",
                                                rawlog::grouped(survey.entries), endsBecause));

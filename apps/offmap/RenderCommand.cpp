@@ -67,6 +67,7 @@ void render(const RenderOptions& options, const rawlog::Config& config, const co
     figure.fallbackSensorInMap = mrpt::poses::CPose3D();
     view::writePng(view::figureOf(reduced.organized.scan, reducer.result(), map, figure),
                    options.output);
+    if (!poses.warning.empty()) say(stderr, "warning: {}\n", poses.warning);
     say(stdout, "wrote   {}\n", options.output.string());
 }
 
@@ -75,7 +76,8 @@ int renderGuarded(const RenderOptions& options) {
     requireDistinct({{"IN", options.input},
                      {"OUT", options.output},
                      {"--map", options.shared.map},
-                     {"--config", options.shared.config}});
+                     {"--config", options.shared.config},
+                     {"--trajectory", options.shared.poses.trajectory}});
     if (options.output.extension() != ".png") {
         throw UsageError(options.output.string() + ": the picture is a PNG; name it so, .png");
     }

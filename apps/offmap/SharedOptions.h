@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PoseOptions.h"
+
 #include <offmap/core/LineMap.h>
 #include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/LogSurvey.h>
@@ -21,9 +23,7 @@ struct SharedOptions {
     std::string method;
     std::filesystem::path config;
     std::vector<std::string> settings;  ///< "key=value"
-    std::string poseLabel;
-    std::string pose;       ///< "x,y,yaw_deg"; empty: poses come from the log
-    std::string poseSigma;  ///< "m,deg"; empty: as configured
+    PoseOptions poses;
 
     void addTo(CLI::App& command);
 
@@ -31,8 +31,6 @@ struct SharedOptions {
     rawlog::Config readConfig() const;
     /// \throw UsageError for a wrong --map-origin, std::runtime_error for a map that cannot be read
     core::LineMap readMap(const rawlog::Config& config) const;
-    /// \throw UsageError for a pose that is none
-    rawlog::PoseRequest poseRequest() const;
 };
 
 /// \throw UsageError if the choice is not clear, std::runtime_error if there is no pose at all

@@ -118,9 +118,16 @@ Rows poseAndMapRows() {
         number("pose.max_age_s", "s", 0, 3600, FIELD(pose.maxAge),
                "time from a column to the nearest pose; beyond, the column is kept whole"),
         number("pose.sigma_m", "m", 0, 100, FIELD(pose.sigmaPosition),
-               "standard deviation of a fixed pose, in x and in y"),
+               "standard deviation of poses that state none, in x and in y"),
         number("pose.sigma_deg", "deg", 0, 180, FIELD(pose.sigmaYaw),
-               "standard deviation of a fixed pose's heading"),
+               "standard deviation of such a pose's heading"),
+
+        number("odometry.position_per_metre_m", "m", 0, 10, FIELD(odometry.positionPerMetre),
+               "standard deviation of the position by odometry, in x and in y, after 1 m"),
+        number("odometry.heading_per_metre_deg", "deg", 0, 90, FIELD(odometry.headingPerMetre),
+               "standard deviation of the heading by odometry after 1 m"),
+        number("odometry.heading_per_radian_deg", "deg", 0, 90, FIELD(odometry.headingPerRadian),
+               "standard deviation of the heading by odometry after a turn of 1 rad"),
 
         number("map.sigma_m", "m", 0, 10, FIELD(map.sigma),
                "standard deviation of a wall's position, for walls that state none"),

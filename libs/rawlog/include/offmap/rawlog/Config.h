@@ -15,8 +15,15 @@ namespace offmap::rawlog {
 /// How far the robot's pose is trusted.
 struct PoseConfig {
     double maxAge = 0.5;                   ///< [s] from a column to the nearest pose
-    double sigmaPosition = 0.05;           ///< [m] of a fixed pose, in x and in y
-    double sigmaYaw = mrpt::DEG2RAD(1.0);  ///< [rad] of a fixed pose
+    double sigmaPosition = 0.05;           ///< [m] of a pose that states none, in x and in y
+    double sigmaYaw = mrpt::DEG2RAD(1.0);  ///< [rad] of a pose that states none
+};
+
+/// How far odometry is trusted: standard deviations that grow with the root of the way.
+struct OdometryConfig {
+    double positionPerMetre = 0.05;                ///< [m] of x and of y after 1 m
+    double headingPerMetre = mrpt::DEG2RAD(0.5);   ///< [rad] after 1 m
+    double headingPerRadian = mrpt::DEG2RAD(3.0);  ///< [rad] after 1 rad
 };
 
 /// What a map file leaves open.
@@ -33,6 +40,7 @@ struct Config {
     std::map<std::string, std::map<std::string, std::string>> sensors;
     std::map<std::string, mrpt::math::TPose3D> mountings;  ///< by label, instead of the log's
     PoseConfig pose;
+    OdometryConfig odometry;
     MapConfig map;
 
     /// \throw std::invalid_argument naming the key and its limits.

@@ -18,9 +18,9 @@ namespace offmap::rawlog {
 
 /// Which poses a user wants; what is not set is left to the log.
 struct PoseRequest {
-    std::optional<mrpt::math::TPose2D> fixed;    ///< one vehicleInMap for the whole log
-    std::filesystem::path trajectory;            ///< a file of poses; empty: none
-    std::string label;                           ///< of robot poses or odometry; empty: any
+    std::optional<mrpt::math::TPose2D> fixed;  ///< one vehicleInMap for the whole log
+    std::filesystem::path trajectory;          ///< a file of poses; empty: none
+    std::string label;  ///< of robot poses or odometry, or "actions"; empty: any
     std::optional<mrpt::math::TPose2D> initial;  ///< vehicleInMap where the log's movement begins
     double delay = 0;                            ///< [s] by which the stamps of the poses are late
 };
@@ -42,6 +42,8 @@ class PoseRequestError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A fixed pose or a trajectory takes the place of the log's own poses. Of those, robot poses go
+/// before the movements of actions, and these before odometry, unless the label says otherwise.
 /// \param log its name, for messages
 /// \param mayBeMissing a log without poses is no error; every look-up then answers NoPose
 /// \throw PoseRequestError if the request is wrong, std::runtime_error if there is no pose at all
