@@ -30,8 +30,7 @@ class RangeImageScan final : public ScanClass {
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
                                           Leftovers leftovers) const override;
     /// With colour or intensity where every pixel has its own in memory, as the observation says.
-    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs,
-                                              SlotMask keep,
+    mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs, SlotMask keep,
                                               const SensorConfig& config) const override;
 };
 
