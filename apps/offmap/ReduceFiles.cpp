@@ -48,7 +48,7 @@ void requireFolder(const NamedFile& output) {
 
 /// "run7" of "logs/run7.rawlog.gz"
 std::string stemOf(const fs::path& log) {
-    const std::string name = log.filename().string();
+    std::string name = log.filename().string();
     for (const std::string ending : {".rawlog", ".rawlog.gz"}) {
         if (name.size() > ending.size() && name.ends_with(ending)) {
             return name.substr(0, name.size() - ending.size());

@@ -2,7 +2,7 @@
 #include "../support/Gzip.h"
 #include "../support/Scans.h"
 #include "CraftedEntries.h"
-#include "ReduceFixture.h"
+#include "ManyLogsFixture.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,51 +19,11 @@ using testing::Not;
 using testing::UnorderedElementsAre;
 namespace fs = std::filesystem;
 
-class ManyLogs : public ReduceFixture {
- protected:
-    ManyLogs() { fs::create_directory(logs_); }
-
-    /// A log of its own noise, as long as its number says.
-    Path writeGoodLog(int number) const {
-        SimulatedRobot robot(static_cast<uint64_t>(number));
-        Observations log;
-        for (int scan = 0; scan < number; ++scan) {
-            log.insert(log.end(), {robot.localisation(), robot.cloud()});
-            robot.wait(0.1);
-        }
-        const Path file = logs_ / ("run" + std::to_string(number) + ".rawlog");
-        writeLog(file, log);
-        return file;
-    }
-
-    Arguments manyArguments(const std::vector<Path>& logs, const Arguments& more = {}) const {
-        Arguments all{"reduce"};
-        all.insert(all.end(), logs.begin(), logs.end());
-        all.insert(all.end(), {"--map", map_, "-o", reduced_});
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-    }
-
-    RunResult reduceMany(const std::vector<Path>& logs, const Arguments& more = {}) const {
-        return runOffmap(manyArguments(logs, more));
-    }
-
-    static std::vector<std::string> namesIn(const Path& folder) {
-        std::vector<std::string> names;
-        for (const auto& entry : fs::directory_iterator(folder)) {
-            names.push_back(entry.path().filename());
-        }
-        return names;
-    }
-
-    static json withoutTimings(json report) {
-        for (json& scan : report["scans"]) scan.erase("reduce_ms");
-        for (const char* key : {"reduce_ms_median", "reduce_ms_p95"}) report["totals"].erase(key);
-        return report;
-    }
-
-    const Path logs_ = folder_ / "logs", reduced_ = folder_ / "deep" / "reduced";
-};
+json withoutTimings(json report) {
+    for (json& scan : report["scans"]) scan.erase("reduce_ms");
+    for (const char* key : {"reduce_ms_median", "reduce_ms_p95"}) report["totals"].erase(key);
+    return report;
+}
 
 TEST_F(ManyLogs, equalThoseReducedByThemselves) {
     const std::vector<Path> logs{writeGoodLog(1), writeGoodLog(2), writeGoodLog(3)};
@@ -180,58 +140,6 @@ TEST_F(ManyLogs, logWithoutTheSensorIsAUsageErrorOfItsOwn) {
     EXPECT_EQ(run.exitCode, 1) << testing::PrintToString(run);
     EXPECT_THAT(run.err, HasSubstr("other.rawlog holds no 3D scan labelled 'CLOUD'"));
     EXPECT_THAT(namesIn(reduced_), UnorderedElementsAre("run1.rawlog"));
-}
-
-TEST_F(ManyLogs, ofOneNameAreRefused) {
-    const Path log = writeGoodLog(1), other = folder_ / "run1.rawlog";
-    fs::copy_file(log, other);
-    expectRefusal(manyArguments({log, other}), 1,
-                  AllOf(HasSubstr("would both become " + (reduced_ / "run1.rawlog").string()),
-                        HasSubstr(other.string())));
-    expectRefusal(manyArguments({log, log}), 1, HasSubstr("would both become"));
-}
-
-TEST_F(ManyLogs, reportsThatWouldBeOneAreRefused) {
-    const Path log = writeGoodLog(1), packed = logs_ / "run1.rawlog.gz";
-    fs::copy_file(log, packed);
-    expectRefusal(manyArguments({log, packed}, {"--report", folder_ / "reports"}), 1,
-                  HasSubstr("run1.json; give each its own"));
-    EXPECT_EQ(reduceMany({log, packed}).exitCode, 0);
-    EXPECT_THAT(namesIn(reduced_), UnorderedElementsAre("run1.rawlog", "run1.rawlog.gz"));
-}
-
-TEST_F(ManyLogs, needAFolder) {
-    const Path log = writeGoodLog(1), other = writeGoodLog(2), file = folder_ / "file";
-    writeFile(file, "");
-    Arguments arguments{"reduce", log, other, "--map", map_, "-o", file, "--force"};
-    expectRefusal(arguments, 1, HasSubstr("OUT " + file.string() + " is a file"));
-    arguments[6] = folder_ / "all.rawlog";
-    expectRefusal(arguments, 1, HasSubstr("would be a folder"));
-    expectRefusal(manyArguments({log, other}, {"--report", file}), 1,
-                  HasSubstr("--report " + file.string() + " is a file"));
-    expectRefusal(manyArguments({log, other}, {"--removed", reduced_.string() + "/"}), 1,
-                  HasSubstr("OUT and --removed are the same folder"));
-    expectRefusal(manyArguments({log, logs_.string() + "/"}), 1, HasSubstr("is no log"));
-    arguments[6] = file / "below";
-    expectRefusal(arguments, 2, HasSubstr("cannot create the folder"));
-}
-
-TEST_F(ManyLogs, mayNotBecomeTheirInputs) {
-    const Path log = writeGoodLog(1), other = writeGoodLog(2);
-    Arguments arguments{"reduce", log, other, "--map", map_, "-o", logs_, "--force"};
-    expectRefusal(arguments, 1, HasSubstr("IN and OUT of " + log.string() + " are the same file"));
-    expectRefusal(manyArguments({log, other}, {"--removed", logs_, "--force"}), 1,
-                  HasSubstr("IN and --removed of " + log.string() + " are the same file"));
-}
-
-TEST_F(ManyLogs, folderTakesASingleLogToo) {
-    const Path log = writeGoodLog(1), existing = folder_ / "existing";
-    fs::create_directory(existing);
-    for (const std::string& folder : {existing.string(), (folder_ / "new").string() + "/"}) {
-        const RunResult run = runOffmap({"reduce", log, "--map", map_, "-o", folder});
-        EXPECT_EQ(run.exitCode, 0) << testing::PrintToString(run);
-        EXPECT_THAT(namesIn(folder), UnorderedElementsAre("run1.rawlog"));
-    }
 }
 
 TEST_F(ManyLogs, interruptionKeepsWhatIsDone) {

@@ -130,6 +130,7 @@ TEST(GuardedRun, interruptionWaitsForPublishing) {
         return 0;
     });
     EXPECT_EQ(outcome.kind, Kind::Finished);
+    EXPECT_EQ(outcome.signal, SIGINT) << "whoever has more to do must know";
     EXPECT_THAT(folder.names(), testing::ElementsAre("output"));
 }
 
