@@ -11,6 +11,7 @@
 #include <mrpt/obs/CObservationPointCloud.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace offmap::rawlog {
@@ -164,6 +165,20 @@ TEST(VelodyneScan, pointOfNoReturnStaysWithTheKept) {
     ASSERT_EQ(kept.point_cloud.size(), 1U);
     EXPECT_EQ(kept.point_cloud.x[0], 500);
     EXPECT_EQ(kept.point_cloud.laser_id[0], cloud.laser_id.back());
+    EXPECT_EQ(withOnly(scan, none, Leftovers::Drop).point_cloud.size(), 0U);
+}
+
+TEST(VelodyneScan, damagedPointsOfTheCloudStayWithTheKept) {
+    Scan scan = realScanWithCloud();
+    auto& cloud = scan.point_cloud;
+    cloud.x[0] = std::numeric_limits<float>::max();  // its square is infinite
+    cloud.y[1] = std::numeric_limits<float>::quiet_NaN();
+    cloud.z[2] = -std::numeric_limits<float>::infinity();
+    const std::vector<uint8_t> none(VelodyneScan().slotCount(scan), 0);
+    EXPECT_EQ(withOnly(scan, none, Leftovers::Keep).point_cloud.size(), 3U);
+    EXPECT_EQ(withOnly(scan, none, Leftovers::Drop).point_cloud.size(), 0U);
+    cloud.z.pop_back();
+    EXPECT_EQ(withOnly(scan, none, Leftovers::Keep).point_cloud.size(), cloud.x.size());
     EXPECT_EQ(withOnly(scan, none, Leftovers::Drop).point_cloud.size(), 0U);
 }
 

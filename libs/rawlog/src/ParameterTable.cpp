@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 
 namespace offmap::rawlog {
@@ -177,10 +176,10 @@ const Parameter& findParameter(std::string_view key) {
 }
 
 const Parameter& findSensorParameter(std::string_view name) {
-    const auto isOfSensor = [](const Parameter& p) { return p.key.starts_with("sensor."); };
     const Parameter* nearest = nullptr;
     size_t fewest = 0;
-    for (const Parameter& p : parameters() | std::views::filter(isOfSensor)) {
+    for (const Parameter& p : parameters()) {
+        if (!p.key.starts_with("sensor.")) continue;
         const size_t edits = editDistance(name, nameOf(p));
         if (edits == 0) return p;
         if (nearest != nullptr && edits >= fewest) continue;

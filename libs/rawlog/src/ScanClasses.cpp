@@ -10,6 +10,7 @@
 #include <offmap/rawlog/VelodyneScan.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationRotatingScan.h>
 
 namespace offmap::rawlog {

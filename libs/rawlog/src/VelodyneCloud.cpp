@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace offmap::rawlog {
 
@@ -22,25 +24,37 @@ float maxDistance(float x, float y, float z) {
 
 constexpr uint64_t gone = std::numeric_limits<uint64_t>::max();
 
+/// Whether a return can be there: lasers reach 131 m. The tree answers no query whose squared
+/// distance is not a number.
+bool isInReach(float x, float y, float z) {
+    constexpr float reach = 1000;  // [m]
+    return std::abs(x) < reach && std::abs(y) < reach && std::abs(z) < reach;
+}
+
 class ReturnFinder {
  public:
-    explicit ReturnFinder(VelodyneReturns returns) : returns_(std::move(returns)) {
-        tree_.reserve(returns_.points.size());
-        for (const auto& p : returns_.points) tree_.insertPointFast(p.x, p.y, p.z);
+    explicit ReturnFinder(const VelodyneReturns& returns) {
+        tree_.reserve(returns.points.size());
+        slots_.reserve(returns.points.size());
+        for (size_t i = 0; i < returns.points.size(); ++i) {
+            const auto& p = returns.points[i];
+            if (!isInReach(p.x, p.y, p.z)) continue;
+            tree_.insertPointFast(p.x, p.y, p.z);
+            slots_.push_back(returns.slots[i]);
+        }
         tree_.mark_as_modified();
     }
 
     std::optional<uint32_t> slotNear(float x, float y, float z) const {
-        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return {};
-        if (returns_.points.empty()) return {};
+        if (slots_.empty() || !isInReach(x, y, z)) return {};
         float squared = 0;
         const size_t nearest = tree_.kdTreeClosestPoint3D(x, y, z, squared);
         if (std::sqrt(squared) > maxDistance(x, y, z)) return {};
-        return returns_.slots[nearest];
+        return slots_[nearest];
     }
 
  private:
-    VelodyneReturns returns_;
+    std::vector<uint32_t> slots_;
     mrpt::maps::CSimplePointsMap tree_;
 };
 
