@@ -4,6 +4,8 @@
 #include "Console.h"
 #include "Progress.h"
 #include "ReduceOutputs.h"
+#include "SensorLabels.h"
+#include "SensorPoses.h"
 #include "SummaryText.h"
 #include "UsageError.h"
 
@@ -14,7 +16,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <chrono>
 
 namespace offmap::app {
@@ -28,16 +29,7 @@ using SteadyClock = std::chrono::steady_clock;
 /// \throw UsageError if a sensor that was asked for has no scan that could be reduced
 void requireSensors(const ReduceOptions& options, const std::filesystem::path& input,
                     const rawlog::LogSurvey& survey) {
-    std::vector<std::string> known;
-    for (const auto& [label, sensor] : survey.sensors) {
-        if (sensor.scans3d) known.push_back(label);
-    }
-    for (const std::string& label : options.sensors) {
-        if (std::ranges::count(known, label) > 0) continue;
-        throw UsageError(fmt::format(
-            "{} holds no 3D scan labelled '{}' that could be reduced; it holds: {}", input.string(),
-            label, known.empty() ? "none at all" : fmt::format("{}", fmt::join(known, ", "))));
-    }
+    for (const std::string& label : options.sensors) requireScansOf(label, survey, input);
 }
 
 void requireScans(const std::filesystem::path& input, const rawlog::LogSurvey& survey) {
@@ -63,12 +55,22 @@ ordered_json reportHead(const ReduceJob& job, const std::filesystem::path& input
     for (const rawlog::Parameter& parameter : rawlog::parameters()) {
         parameters[std::string(parameter.key)] = parameter.text(job.config);
     }
+    for (const auto& [label, settings] : job.config.sensors) {
+        for (const auto& [name, value] : settings) {
+            parameters[fmt::format("sensors.{}.{}", label, name)] = value;
+        }
+    }
+    ordered_json sensorPoses = ordered_json::object();
+    for (const auto& [label, pose] : job.config.mountings) {
+        sensorPoses[label] = sensorPoseText(pose);
+    }
     ordered_json head;
     head["offmap"] = OFFMAP_VERSION;
     head["input"] = input.string();
     head["map"] = {{"file", job.options.shared.map.string()}, {"walls", job.map.walls().size()}};
     head["poses"] = poses.description;
     head["parameters"] = parameters;
+    head["sensor_poses"] = sensorPoses;
     return head;
 }
 
@@ -143,6 +145,7 @@ ReducedLog reduceLog(const ReduceJob& job, const LogToReduce& log, const Readabl
     const auto [survey, endsBecause] = readFirst(job, log, readable, status);
     requireSensors(options, input, survey);
     if (!options.keepGoing) requireScans(input, survey);
+    const auto sensorWarnings = checkSingleSensors(job.config, survey, input);
     const rawlog::ChosenPoses poses =
         choosePoses(options.shared, job.config, input, survey, options.keepGoing);
     if (!options.quiet && log.title.empty()) {
@@ -155,6 +158,7 @@ ReducedLog reduceLog(const ReduceJob& job, const LogToReduce& log, const Readabl
     reduced.totals = writeOutputs(job, log, survey, *poses.source, outputs, status);
     reduced.warnings = reduced.totals.warnings();
     if (!poses.warning.empty()) reduced.warnings.push_back(poses.warning);
+    reduced.warnings.insert(reduced.warnings.end(), sensorWarnings.begin(), sensorWarnings.end());
     if (!endsBecause.empty()) {
         reduced.warnings.push_back(fmt::format("only the first {} entries were read: {}",
                                                rawlog::grouped(survey.entries), endsBecause));

@@ -4,6 +4,7 @@
 #include "Console.h"
 #include "Guarded.h"
 #include "NamedFiles.h"
+#include "SensorLabels.h"
 #include "SharedOptions.h"
 #include "UsageError.h"
 
@@ -50,6 +51,7 @@ void render(const RenderOptions& options, const rawlog::Config& config, const co
         rawlog::surveyLog(first, config, std::numeric_limits<uint64_t>::max(),
                           [&] { status.atEntry(first.place()); });
     if (survey.damage) throw *survey.damage;
+    const auto warnings = checkSingleSensors(config, survey, options.input);
     const rawlog::ChosenPoses poses =
         choosePoses(options.shared, config, options.input, survey, false);
     const auto turn = rawlog::findTurn(second, survey, config, options.entry, options.input,
@@ -69,6 +71,7 @@ void render(const RenderOptions& options, const rawlog::Config& config, const co
                    options.output);
     if (!poses.warning.empty()) say(stderr, "warning: {}\n", poses.warning);
     say(stdout, "wrote   {}\n", options.output.string());
+    for (const std::string& warning : warnings) say(stderr, "warning: {}\n", warning);
 }
 
 int renderGuarded(const RenderOptions& options) {

@@ -2,6 +2,7 @@
 #include "SharedOptions.h"
 
 #include "NumberList.h"
+#include "SensorPoses.h"
 #include "UsageError.h"
 
 #include <offmap/maps/TextMap.h>
@@ -29,6 +30,11 @@ void SharedOptions::addTo(CLI::App& command) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     poses.addTo(command);
+    command
+        .add_option("--sensor-pose", sensorPoses,
+                    "Where a sensor is mounted, instead of where the log says; may be repeated")
+        ->type_name("LABEL=X,Y,Z,YAW_DEG,PITCH_DEG,ROLL_DEG")
+        ->allow_extra_args(false);
 }
 
 rawlog::Config SharedOptions::readConfig() const {
@@ -38,6 +44,7 @@ rawlog::Config SharedOptions::readConfig() const {
         for (const std::string& setting : settings) rawlog::applySetting(out, setting);
         if (!method.empty()) rawlog::applySetting(out, "matching.method=" + method);
         poses.setSigmas(out);
+        out.mountings = parseSensorPoses(sensorPoses);
         out.validate();
     } catch (const std::exception& error) {
         throw UsageError(error.what());

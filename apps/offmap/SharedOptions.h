@@ -24,6 +24,7 @@ struct SharedOptions {
     std::filesystem::path config;
     std::vector<std::string> settings;  ///< "key=value"
     PoseOptions poses;
+    std::vector<std::string> sensorPoses;  ///< "LABEL=x,y,z,yaw_deg,pitch_deg,roll_deg"
 
     void addTo(CLI::App& command);
 
