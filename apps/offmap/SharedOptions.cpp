@@ -2,6 +2,7 @@
 #include "SharedOptions.h"
 
 #include "NumberList.h"
+#include "Presets.h"
 #include "SensorPoses.h"
 #include "UsageError.h"
 
@@ -24,8 +25,11 @@ void SharedOptions::addTo(CLI::App& command) {
         ->check(notEmpty);
     command.add_option("--method", method, "Matching method: paper (matching.method)")
         ->type_name("METHOD");
-    command.add_option("--config", config, "Parameters; what is not set keeps its default")
-        ->type_name("FILE.yaml");
+    command
+        .add_option("--config", config,
+                    "Parameters, or a preset's name; what is not set keeps its default")
+        ->type_name("FILE.yaml|NAME")
+        ->check(notEmpty);
     command.add_option("--set", settings, "One parameter, after --config; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
@@ -40,7 +44,7 @@ void SharedOptions::addTo(CLI::App& command) {
 rawlog::Config SharedOptions::readConfig() const {
     rawlog::Config out;
     try {
-        if (!config.empty()) rawlog::applyYaml(out, config);
+        if (!config.empty()) rawlog::applyYaml(out, configFile(config));
         for (const std::string& setting : settings) rawlog::applySetting(out, setting);
         if (!method.empty()) rawlog::applySetting(out, "matching.method=" + method);
         poses.setSigmas(out);

@@ -131,6 +131,7 @@ TEST(ApplyYaml, unknownKeyNamesLineAndNearestKey) {
     EXPECT_THAT(errorOfText("vertcal: {max_tilt_deg: 4}\n"),
                 HasSubstr("did you mean vertical.max_tilt_deg?"));
     EXPECT_THAT(errorOfText("max_tilt_deg: 4\n"), HasSubstr("did you mean vertical.max_tilt_deg?"));
+    EXPECT_THAT(errorOfText("colours: {}\n"), HasSubstr("unknown key \"colours\""));
     EXPECT_THAT(errorOfText("colours:\n"), HasSubstr("unknown key \"colours\""));
     EXPECT_THAT(errorOfText("1: 2\n"), HasSubstr("unknown key \"1\""));
 }

@@ -74,7 +74,8 @@ TEST_P(Preset, saysInItsFirstLineForWhomItIs) {
 
 INSTANTIATE_TEST_SUITE_P(ConfigFolder, Preset,
                          testing::Values("config/indoor.yaml", "config/outdoor.yaml",
-                                         "config/vlp16.yaml"));
+                                         "config/vlp16.yaml", "config/hdl32.yaml",
+                                         "config/depth_camera.yaml"));
 
 TEST(Presets, differFromTheDefaultInTheirDirection) {
     const auto loaded = [](const char* file) {
@@ -92,6 +93,13 @@ TEST(Presets, differFromTheDefaultInTheirDirection) {
               usual.reduction.vertical.maxGap);
     EXPECT_LT(loaded("config/vlp16.yaml").reduction.vertical.minPoints,
               usual.reduction.vertical.minPoints);
+    // Between a scanner with half the rings and one with many.
+    const Config hdl32 = loaded("config/hdl32.yaml");
+    EXPECT_GT(hdl32.reduction.vertical.maxGap, usual.reduction.vertical.maxGap);
+    EXPECT_LT(hdl32.reduction.vertical.maxGap,
+              loaded("config/vlp16.yaml").reduction.vertical.maxGap);
+    EXPECT_GT(loaded("config/depth_camera.yaml").reduction.vertical.maxPointToLine,
+              usual.reduction.vertical.maxPointToLine);
 }
 
 }  // namespace offmap::rawlog

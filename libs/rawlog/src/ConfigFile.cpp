@@ -152,7 +152,7 @@ std::vector<std::string> applyDocument(Config& config, const YAML::Node& documen
             applySensors(config, entry.second, keysSet);
             continue;
         }
-        if (!entry.second.IsMap()) requireSection(entry.first, name);
+        if (!entry.second.IsMap() || entry.second.size() == 0) requireSection(entry.first, name);
         applyEntries(config, {name, std::nullopt}, entry.second, keysSet);
     }
     return keysSet;

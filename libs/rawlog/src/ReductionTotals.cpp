@@ -124,7 +124,7 @@ std::vector<std::string> ReductionTotals::warnings() const {
     if (onVerticalSegments == 0) {
         out.emplace_back(
             "no vertical segment was found: for a scanner with few rings raise "
-            "vertical.max_gap_m and lower vertical.min_points (see config/vlp16.yaml)");
+            "vertical.max_gap_m and lower vertical.min_points (a VLP-16: --config vlp16)");
     } else if (removed() == 0) {
         out.emplace_back("nothing was removed: check that the map and the poses share one frame");
     } else if (static_cast<double>(removed()) < leastShare * matchable) {
