@@ -42,7 +42,7 @@ void requireScans(const std::filesystem::path& input, const rawlog::LogSurvey& s
                                    sensor.unsupported.value_or("")));
     }
     throw std::runtime_error(
-        fmt::format("{} holds no 3D scan that could be reduced, only: {}; a VLP-16, a rotating "
+        fmt::format("{} holds no 3D scan that could be reduced, only: {}; a Velodyne, a rotating "
                     "scan, a depth camera, a point cloud or a 2D scanner that turns about the "
                     "vertical is needed (--keep-going copies the log)",
                     input.string(),

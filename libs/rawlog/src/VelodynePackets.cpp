@@ -119,12 +119,12 @@ class Decoder {
         const size_t stride = dual || model_.twoBanks ? 2 : 1;
         const double rate = medianStep(packet, stride) / model_.blockPeriod;
         for (size_t b = 0; b < blocksPerPacket; ++b) {
-            const size_t first = b;
+            const size_t first = b, turned = b / stride;
             if (isMangled(packet.blocks[first])) continue;
             std::optional<size_t> other;
             if (stride == 2 && b % 2 == 0 && isPair(packet, b)) other = ++b;
             for (size_t f = 0; f < model_.firingsPerBlock; ++f) {
-                const double late = static_cast<double>(first / stride) * model_.blockPeriod +
+                const double late = static_cast<double>(turned) * model_.blockPeriod +
                                     static_cast<double>(f) * model_.firingPeriod;
                 const auto sincePacket = std::chrono::duration<double, std::micro>(late);
                 decodeFiring(
