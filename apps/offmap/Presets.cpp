@@ -23,7 +23,7 @@ fs::path presetFolder() {
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
     for (const char* place : {"../share/offmap/config", "../../../config"}) {
-        const fs::path folder = (program.parent_path() / place).lexically_normal();
+        fs::path folder = (program.parent_path() / place).lexically_normal();
         if (fs::is_regular_file(folder / "default.yaml", ignored)) return folder;
     }
     return {};
@@ -53,7 +53,7 @@ fs::path configFile(const fs::path& given) {
                         "program; name a file",
                         given.string()));
     }
-    const fs::path preset = folder / (given.string() + ".yaml");
+    fs::path preset = folder / (given.string() + ".yaml");
     if (fs::is_regular_file(preset, ignored)) return preset;
     throw UsageError(fmt::format(
         "--config is '{}': there is no such file here, and no such preset; there are: {}",

@@ -80,7 +80,7 @@ struct Section {
 std::string applyEntry(Config& config, const Section& section, const YAML::Node& key,
                        const YAML::Node& value) {
     const std::string& name = key.Scalar();
-    const std::string fullKey = section.name + '.' + name;
+    std::string fullKey = section.name + '.' + name;
     try {
         if (section.label) {
             const std::string text = valueText(findSensorParameter(name), key, value);
