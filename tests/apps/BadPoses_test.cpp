@@ -162,7 +162,8 @@ TEST_F(PoseLabels, incompleteFixedPoseIsRefused) {
 
 // As from a variable that is not set.
 TEST_F(PoseLabels, emptyValuesAreRefused) {
-    for (const char* option : {"--pose", "--pose-label", "--map-origin"}) {
+    for (const char* option : {"--pose", "--pose-label", "--map-origin", "--trajectory",
+                               "--initial-pose", "--pose-delay", "--pose-sigma"}) {
         expectRefusal(reduceArguments({option, ""}), 1,
                       AllOf(HasSubstr(std::string(option) + ": "), HasSubstr("is empty")));
     }
@@ -180,6 +181,66 @@ TEST_F(PoseLabels, wrongSigmasAreRefused) {
         expectRefusal(reduceArguments({"--pose", "2,2.5,17", "--pose-sigma", sigmas}), 1,
                       testing::AnyOf(HasSubstr("--pose-sigma"), HasSubstr("pose.sigma")));
     }
+}
+
+TEST_F(PoseLabels, sigmasOfNothingAreRefused) {
+    expectRefusal(reduceArguments({"--pose-label", "AMCL", "--pose-sigma", "0.05,1"}), 1,
+                  AllOf(HasSubstr("--pose-sigma"), HasSubstr("--trajectory")));
+}
+
+TEST_F(PoseLabels, wrongInitialPosesAreRefused) {
+    for (const char* pose : {"1,2", "1,2,3,4", "1,2,north", "1,2,inf"}) {
+        SCOPED_TRACE(pose);
+        expectRefusal(reduceArguments({"--initial-pose", pose}), 1,
+                      AllOf(HasSubstr("--initial-pose"), HasSubstr("3 numbers, x,y,yaw_deg")));
+    }
+}
+
+TEST_F(PoseLabels, wrongDelaysAreRefused) {
+    for (const char* delay : {"soon", "1,2", "nan", "0.1s", "1e11"}) {
+        SCOPED_TRACE(delay);
+        expectRefusal(reduceArguments({"--pose-label", "AMCL", "--pose-delay", delay}), 1,
+                      HasSubstr("--pose-delay"));
+    }
+}
+
+TEST_F(PoseLabels, waysToGivePosesExcludeEachOther) {
+    const Path file = folder_ / "run.tum";
+    writeFile(file, "1700000000 2 2.5 0 0 0 0 1\n");
+    for (const Arguments& pair : {Arguments{"--pose", "1,2,3", "--trajectory", file},
+                                  Arguments{"--pose", "1,2,3", "--initial-pose", "1,2,3"},
+                                  Arguments{"--pose", "1,2,3", "--pose-delay", "1"},
+                                  Arguments{"--pose", "1,2,3", "--pose-label", "AMCL"},
+                                  Arguments{"--trajectory", file, "--initial-pose", "1,2,3"},
+                                  Arguments{"--trajectory", file, "--pose-label", "AMCL"}}) {
+        SCOPED_TRACE(testing::PrintToString(pair));
+        expectRefusal(reduceArguments(pair), 1,
+                      AllOf(HasSubstr(pair[0]), HasSubstr(pair[2]), HasSubstr("excludes")));
+    }
+}
+
+TEST_F(PoseLabels, badTrajectoriesAreRefused) {
+    const Path file = folder_ / "run.tum";
+    for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+             {"", "holds no pose"},
+             {"1 2 3\n", ":1: 3 numbers"},
+             {"# t\n1 0 0 0 0 0 0 0\n", ":2: qx qy qz qw has a length of 0"},
+             {"1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0\n", ":2: 7 numbers, but 8 before"},
+             {"1 0 0 0 0 0 0 x\n", ":1: 'x' is not a number"},
+             {"-1 0 0 0 0 0 0\n", ":1: -1 is no time"}}) {
+        SCOPED_TRACE(text);
+        writeFile(file, text);
+        expectRefusal(reduceArguments({"--trajectory", file}), 2,
+                      AllOf(HasSubstr(file.string()), HasSubstr(message)));
+    }
+    expectRefusal(reduceArguments({"--trajectory", folder_ / "none.tum"}), 2,
+                  HasSubstr("none.tum: cannot read the trajectory: No such file"));
+    expectRefusal(reduceArguments({"--trajectory", folder_.path()}), 2, HasSubstr("directory"));
+}
+
+TEST_F(PoseLabels, trajectoryIsNotOverwritten) {
+    writeFile(out_, "1700000000 2 2.5 0 0 0 0 1\n");
+    expectRefusal(reduceArguments({"--trajectory", out_, "--force"}), 1, HasSubstr("--trajectory"));
 }
 
 }  // namespace
