@@ -2,7 +2,10 @@
 #include "ReduceFixture.h"
 
 #include <fmt/format.h>
+#include <mrpt/poses/CPosePDFGaussian.h>
 #include <nlohmann/json.hpp>
+
+#include <limits>
 
 namespace {
 
@@ -153,6 +156,8 @@ TEST_F(PosesFromMovement, movementThatIsNotFiniteKeepsTheRest) {
     mrpt::poses::CPosePDFGaussian nowhere;
     nowhere.mean.x(std::numeric_limits<double>::quiet_NaN());
     mrpt::obs::CActionRobotMovement2D movement;
+    // What comes from odometry is stored as its reading, and worked out again when it is read.
+    movement.estimationMethod = mrpt::obs::CActionRobotMovement2D::emScan2DMatching;
     movement.poseChange =
         mrpt::poses::CPosePDF::Ptr(std::make_shared<mrpt::poses::CPosePDFGaussian>(nowhere));
     actions_[3] = mrpt::obs::CActionCollection::Create();

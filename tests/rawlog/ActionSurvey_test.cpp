@@ -99,6 +99,22 @@ TEST_F(ActionSurvey, actionsWithoutAMovementLeaveTheRobotWhereItIs) {
     EXPECT_EQ(placesOf({ahead(1), frame({5}), ahead({}), frame({6})}), (Places{{5, 1}, {6, 1}}));
 }
 
+// MRPT draws the particles of such an action when it is read.
+TEST_F(ActionSurvey, particlesAreDrawnAlikeEachTime) {
+    mrpt::obs::CActionRobotMovement2D::TMotionModelOptions particles;
+    particles.modelSelection = mrpt::obs::CActionRobotMovement2D::mmThrun;
+    mrpt::obs::CActionRobotMovement2D movement;
+    movement.computeFromOdometry(mrpt::poses::CPose2D(0.5, 0.1, 0.2), particles);
+    auto actions = CActionCollection::Create();
+    actions->insert(movement);
+    const auto first = surveyOf({actions}).actions.steps.at(0);
+    const auto second = surveyOf({actions}).actions.steps.at(0);
+    EXPECT_EQ(first.vehicleInPrevious, second.vehicleInPrevious);
+    EXPECT_EQ(first.groundCovariance, second.groundCovariance);
+    EXPECT_GT(first.groundCovariance[0], 0);
+    EXPECT_NEAR(first.vehicleInPrevious.x, 0.5, 5 * std::sqrt(first.groundCovariance[0]));
+}
+
 TEST_F(ActionSurvey, entriesAreCounted) {
     const LogSurvey survey =
         surveyOf({frame({1}), ahead(1), frame({2}), ahead({}), frame({3}), frame({4})});

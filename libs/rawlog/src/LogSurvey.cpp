@@ -8,6 +8,7 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/random/RandomGenerators.h>
 
 #include <algorithm>
 
@@ -100,6 +101,9 @@ bool LogSurvey::reducible(const CObservation& obs, const SensorConfig& config) c
 
 LogSurvey surveyLog(RawlogReader& reader, const Config& config, uint64_t maxEntries,
                     const std::function<void()>& onEntry) {
+    // Of odometry actions with a motion model of particles, MRPT draws the particles while it
+    // reads.
+    mrpt::random::getRandomGenerator().randomize(1);
     LogSurvey survey;
     try {
         while (survey.entries < maxEntries) {
