@@ -30,6 +30,7 @@ class InputFile {
     /// Why reading stopped before the end of the file; empty if nothing failed.
     const std::string& failure() const { return failure_; }
 
+    bool isGzip() const { return inflate_ != nullptr; }
     uint64_t position() const { return position_; }                      ///< [byte] uncompressed
     uint64_t compressedPosition() const { return compressedPosition_; }  ///< [byte] of the file
     uint64_t compressedSize() const { return compressedSize_; }          ///< [byte] of the file

@@ -48,6 +48,7 @@ class RawlogReader {
     /// Where the next entry begins; after the last one, the number of entries and bytes.
     const EntryPlace& place() const { return place_; }
 
+    bool isGzip() const { return input_.isGzip(); }
     uint64_t compressedPosition() const { return input_.compressedPosition(); }  ///< [byte] read
     uint64_t compressedSize() const { return input_.compressedSize(); }  ///< [byte] of the file
 
