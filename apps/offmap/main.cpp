@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Console.h"
 #include "Guarded.h"
+#include "InfoCommand.h"
 #include "ReduceCommand.h"
 #include "RenderCommand.h"
 #include "UsageError.h"
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
     int exitCode = exitDone;
     addReduceCommand(app, exitCode);
     addRenderCommand(app, exitCode);
+    addInfoCommand(app, exitCode);
     return reportingErrors([&] {
         try {
             app.parse(argc, argv);

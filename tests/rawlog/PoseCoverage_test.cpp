@@ -54,4 +54,14 @@ TEST(PoseCoverage, followsTheVehicle) {
     EXPECT_EQ(coverage.observations(), 0U);
 }
 
+TEST(PoseCoverage, errorsInCommonHideNoMovement) {
+    const PoseTrack track({pose(0, 0, 2), pose(1, 3, 2)}, 1);
+    PoseCoverage single(track, {}), common(track, {}, PoseCoverage::Errors::Common);
+    for (PoseCoverage* coverage : {&single, &common}) {
+        for (const double time : {0.0, 0.5, 1.0}) coverage->follow(at(time));
+    }
+    EXPECT_EQ(single.movement().distance(), 0);          // not 3 sigma = 6 m
+    EXPECT_NEAR(common.movement().distance(), 3, 1e-6);  // interpolated to a tick of 100 ns
+}
+
 }  // namespace

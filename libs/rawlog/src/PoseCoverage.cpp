@@ -32,8 +32,9 @@ void PoseCoverage::follow(mrpt::Clock::time_point time) {
     const PoseLookup lookup = poses_.at(time);
     if (!lookup.vehicleInMap) return;
     const auto& covariance = lookup.groundCovariance;
-    const double variance = std::max(covariance(0, 0), covariance(1, 1));
-    movement_.add(time, lookup.vehicleInMap->asTPose(), std::sqrt(std::max(variance, 0.0)));
+    const double variance = std::max({0.0, covariance(0, 0), covariance(1, 1)});
+    const double sigma = errors_ == Errors::Common ? 0 : std::sqrt(variance);
+    movement_.add(time, lookup.vehicleInMap->asTPose(), sigma);
 }
 
 double PoseCoverage::share() const {

@@ -18,9 +18,14 @@ namespace offmap::rawlog {
 /// according to it.
 class PoseCoverage {
  public:
+    /// How the errors of poses hang together. Those of a localisation are new with every pose and
+    /// look like movement; those of composed movements grow, but neighbours have them in common.
+    enum class Errors : uint8_t { Independent, Common };
+
     /// \param poses must outlive it
-    PoseCoverage(const PoseSource& poses, const core::MatchingConfig& config)
-        : poses_(poses), config_(config) {}
+    PoseCoverage(const PoseSource& poses, const core::MatchingConfig& config,
+                 Errors errors = Errors::Independent)
+        : poses_(poses), config_(config), errors_(errors) {}
 
     /// Asks for the pose of a 3D observation.
     void add(mrpt::Clock::time_point time, const mrpt::poses::CPose3D& sensorInVehicle);
@@ -38,6 +43,7 @@ class PoseCoverage {
  private:
     const PoseSource& poses_;
     core::MatchingConfig config_;
+    Errors errors_;
     uint64_t observations_ = 0, covered_ = 0;
     std::map<core::PoseFault, uint64_t> faults_;
     Movement movement_;
