@@ -88,11 +88,11 @@ class PosesFromMovement : public ReduceFixture {
         return nlohmann::json::parse(readFile(report))["totals"]["points_removed"].get<double>();
     }
 
-    /// Wider poses make wider gates: not the same points go, but as good as all of them, and few
-    /// others.
+    /// The poses are the true ones, as uncertain but for what the way of a metre adds: only returns
+    /// at the very edge of a gate may differ, fewer than one in a hundred.
     void expectSameReduction(double removed) const {
         EXPECT_GT(byRobotPoses_, 5000) << "five clouds, of some 3000 points each";
-        EXPECT_NEAR(removed / byRobotPoses_, 1, 0.03);
+        EXPECT_NEAR(removed / byRobotPoses_, 1, 0.01);
     }
 
     SimulatedRobot robot_;

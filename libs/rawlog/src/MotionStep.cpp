@@ -27,7 +27,7 @@ MotionStep stepOf(const mrpt::poses::CPose3DPDFGaussian& pdf) {
 bool isEmpty(const mrpt::poses::CPosePDF& pdf) {
     const auto* particles = dynamic_cast<const mrpt::poses::CPosePDFParticles*>(&pdf);
     const auto* modes = dynamic_cast<const mrpt::poses::CPosePDFSOG*>(&pdf);
-    return (particles && particles->size() == 0) || (modes && modes->size() == 0);
+    return (particles && particles->size() == 0) || (modes && modes->empty());
 }
 
 MotionStep stepOf(const CActionRobotMovement2D& movement) {
