@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/TemporaryFolder.h"
-
-#include <offmap/rawlog/PoseChoice.h>
+#include "PoseChoiceFixture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,82 +12,11 @@ namespace offmap::rawlog {
 namespace {
 
 using core::PoseFault;
-using mrpt::math::TPose2D;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-mrpt::Clock::time_point second(double seconds) { return mrpt::Clock::fromDouble(1.7e9 + seconds); }
-
-class PoseChoice : public testing::Test {
- protected:
-    PoseChoice() {
-        SensorSurvey& lidar = survey_.sensors["LIDAR"];
-        lidar.scans3d = true;
-        lidar.times = TimeSpan{second(0), second(2)};
-    }
-
-    void addRobotPoses(const std::string& label, double x = 10) {
-        for (int i = 0; i < 3; ++i) {
-            survey_.poses[label].push_back({second(i), {x + i, 0, 0, 0, 0, 0}, {}, {}});
-        }
-    }
-
-    /// A metre a second.
-    void addActions() {
-        survey_.actions.movements = 2;
-        survey_.actions.steps = {{second(0), {}, {}, {}},
-                                 {second(1), {1, 0, 0, 0, 0, 0}, {}, {}},
-                                 {second(2), {1, 0, 0, 0, 0, 0}, {}, {}}};
-    }
-
-    /// Two metres a second; readings begin anywhere, and are not sorted.
-    void addOdometry(const std::string& label) {
-        survey_.odometry[label] = {
-            {second(2), {9, 5, 0}}, {second(0), {5, 5, 0}}, {second(1), {7, 5, 0}}};
-    }
-
-    ChosenPoses choose(const PoseRequest& request, bool mayBeMissing = false) const {
-        return choosePoses(request, config_, survey_, "run7.rawlog", mayBeMissing);
-    }
-
-    /// Why the request is wrong.
-    std::string refusalOf(const PoseRequest& request) const {
-        try {
-            choose(request);
-        } catch (const PoseRequestError& e) {
-            return e.what();
-        } catch (const std::runtime_error& e) {
-            return std::string("no pose: ") + e.what();
-        }
-        return "no error";
-    }
-
-    /// Why there is no pose, the request being right.
-    std::string lackOf(const PoseRequest& request) const {
-        const std::string error = refusalOf(request), prefix = "no pose: ";
-        return error.starts_with(prefix) ? error.substr(prefix.size()) : "another error";
-    }
-
-    static PoseRequest labelled(const std::string& label,
-                                std::optional<TPose2D> initial = std::nullopt) {
-        PoseRequest request;
-        request.label = label;
-        request.initial = initial;
-        return request;
-    }
-
-    static PoseRequest from(const TPose2D& initial) { return labelled("", initial); }
-
-    static double xAt(const ChosenPoses& poses, double seconds) {
-        const PoseLookup lookup = poses.source->at(second(seconds));
-        return lookup.vehicleInMap ? lookup.vehicleInMap->x()
-                                   : std::numeric_limits<double>::quiet_NaN();
-    }
-
-    LogSurvey survey_;
-    Config config_;
-};
+class PoseChoice : public PoseChoiceFixture {};
 
 constexpr double rounding = 1e-12;
 
@@ -225,45 +153,6 @@ TEST_F(PoseChoice, trajectoryTakesTheirPlace) {
     EXPECT_EQ(poses.description, "trajectory run7.tum: 2 poses (not used: AMCL, GPS)");
     EXPECT_NEAR(xAt(poses, 1), 8, rounding);
     EXPECT_EQ(poses.source->at(second(1)).groundCovariance(0, 0), 0.05 * 0.05);
-}
-
-TEST_F(PoseChoice, lateStampsAreSetRight) {
-    addRobotPoses("AMCL");  // a metre a second: the stamp 1.5 s tells where it was at 1.25 s
-    PoseRequest request;
-    request.delay = 0.25;
-    const ChosenPoses late = choose(request);
-    EXPECT_NEAR(xAt(late, 1.25), 11.5, 1e-6);  // ticks of 100 ns
-    EXPECT_EQ(late.description, "AMCL: 3 robot poses, 0.25 s late");
-    request.delay = -0.25;
-    EXPECT_NEAR(xAt(choose(request), 1.25), 11, 1e-6);
-}
-
-TEST_F(PoseChoice, delayWorksForMovementsToo) {
-    addOdometry("ODOMETRY");
-    PoseRequest request = from({});
-    request.delay = 0.5;
-    EXPECT_NEAR(xAt(choose(request), 1), 3, 1e-6);
-}
-
-TEST_F(PoseChoice, delayAtTheEndsOfTimeIsHarmless) {
-    survey_.poses["AMCL"] = {{mrpt::Clock::time_point::min(), {}, {}, {}},
-                             {mrpt::Clock::time_point::max(), {}, {}, {}}};
-    for (const double delay : {1e10, -1e10}) {
-        PoseRequest request;
-        request.delay = delay;
-        EXPECT_EQ(choose(request).origin, PoseOrigin::RobotPoses);
-    }
-}
-
-TEST_F(PoseChoice, posesOfAnotherClockAreWarnedOf) {
-    addRobotPoses("AMCL");
-    PoseRequest request;
-    request.delay = 3600;
-    EXPECT_THAT(choose(request).warning,
-                AllOf(HasSubstr("1699996400.000 to 1699996402.000"),
-                      HasSubstr("1700000000.000 to 1700000002.000"), HasSubstr("--pose-delay")));
-    request.delay = 2 + config_.pose.maxAge;  // the last pose is just not too old for the first
-    EXPECT_EQ(choose(request).warning, "");
 }
 
 TEST_F(PoseChoice, contradictoryRequestsAreRefused) {
