@@ -3,6 +3,7 @@
 
 #include "InfoPoseAdvice.h"
 #include "PlainText.h"
+#include "TextSections.h"
 
 #include <fmt/format.h>
 
@@ -38,36 +39,38 @@ std::map<std::string, const SensorInventory*> chosenScanners(const LogFacts& fac
 void adviseSensor(const std::string& label, const SensorInventory& sensor, Advice& advice) {
     if (elevationsHelp(sensor)) {
         advice.missing.push_back(
-            {fmt::format("the elevations of {}'s rows, row 0 first, separated by commas",
-                         printable(label)),
-             {"--set", fmt::format("sensors.{}.{}=[ELEVATIONS_DEG]", label, elevationsKey)}});
+            {fmt::format("the elevations of the rows of {}, row 0 first, separated by commas",
+                         nameOf(label)),
+             {"--set", fmt::format("{}.{}=[ELEVATIONS_DEG]",
+                                   label.empty() ? "sensor" : "sensors." + label, elevationsKey)}});
     }
     if (sensor.scans > 0 && sensor.onVerticalSegments == 0) {
-        advice.hints.push_back(
-            {fmt::format("nothing in {}'s scans stands upright, so nothing will be removed: a "
-                         "scanner of a single row cannot tell, others may need a preset or other "
-                         "values of vertical.*",
-                         printable(label)),
+        advice.missing.push_back(
+            {fmt::format(
+                 "vertical segments: the scans of {} hold none, and only these are removed; "
+                 "a scanner of a single row has none, for others try a preset or other "
+                 "values of vertical.*",
+                 nameOf(label)),
              {}});
     }
     if (sensor.externalMissing > 0) {
         advice.missing.push_back(
-            {fmt::format("{} of {}'s {} files: {}; without them, --keep-going copies these "
-                         "observations as they are",
-                         sensor.externalMissing, printable(label), sensor.external,
-                         printable(sensor.externalProblem)),
+            {fmt::format(
+                 "{} of {} files that hold the points of {}: {}. Without them, --keep-going "
+                 "copies these observations as they are",
+                 sensor.externalMissing, sensor.external, nameOf(label),
+                 printable(sensor.externalProblem)),
              {}});
     }
 }
 
 void advisePreset(const std::map<std::string, const SensorInventory*>& scanners,
-                  const rawlog::Config&, const InfoOptions& options, Advice& advice) {
+                  const InfoOptions& options, Advice& advice) {
     if (!options.shared.config.empty()) return;
     std::set<std::string> presets;
     for (const auto& [label, sensor] : scanners) presets.insert(presetFor(sensor->model.name));
     if (presets.size() == 1 && !presets.begin()->empty()) {
-        advice.hints.push_back(
-            {fmt::format("the preset for this sensor"), {"--config", *presets.begin()}});
+        advice.hints.push_back({"the preset for this sensor", {"--config", *presets.begin()}});
         return;
     }
     for (const auto& [label, sensor] : scanners) {
@@ -75,9 +78,18 @@ void advisePreset(const std::map<std::string, const SensorInventory*>& scanners,
         if (preset.empty()) continue;
         advice.hints.push_back(
             {fmt::format("by itself, with --sensor {}, {} has a preset: --config {}",
-                         shellWord(label), printable(label), preset),
+                         shellWord(label), nameOf(label), preset),
              {}});
     }
+}
+
+/// "run7.reduced.rawlog" for run7.rawlog and run7.rawlog.gz
+std::string outputFor(const std::filesystem::path& file) {
+    std::filesystem::path name = file.filename();
+    for (const char* known : {".gz", ".rawlog"}) {
+        if (name.extension() == known) name = name.stem();
+    }
+    return name.string() + ".reduced.rawlog";
 }
 
 /// A file name that no program takes for an option.
@@ -95,7 +107,7 @@ void compose(const LogFacts& facts, const InfoOptions& options, Advice& advice) 
         }
     }
     if (!facts.damage.empty()) words.emplace_back("--keep-going");
-    words.insert(words.end(), {"-o", fileWord(facts.file.stem().string() + ".reduced.rawlog")});
+    words.insert(words.end(), {"-o", fileWord(outputFor(facts.file))});
     for (const char* known : {"MAP", "X,Y,YAW_DEG", "SECONDS", "ELEVATIONS_DEG"}) {
         const bool used = std::ranges::any_of(advice.missing, [known](const AdviceStep& step) {
             return !step.words.empty() && step.words.back().find(known) != std::string::npos;
@@ -132,7 +144,7 @@ Advice adviceFor(const LogFacts& facts, const InfoOptions& options, const rawlog
              {"--map", "MAP"}});
     }
     advisePoses(facts, config, advice);
-    advisePreset(scanners, config, options, advice);
+    advisePreset(scanners, options, advice);
     compose(facts, options, advice);
     return advice;
 }

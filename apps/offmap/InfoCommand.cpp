@@ -39,6 +39,7 @@ int tell(const InfoOptions& options, const rawlog::Config& config, const InfoRea
     requireSensors(options, facts);
     const Advice advice = adviceFor(facts, options, config);
     say(stdout, "{}", options.json ? infoJson(facts, advice) : infoText(facts, advice));
+    for (const std::string& warning : facts.warnings) say(stderr, "warning: {}\n", warning);
     if (facts.damage.empty()) return exitDone;
     say(stderr, "offmap: {}\n", facts.damage);
     return exitFailed;

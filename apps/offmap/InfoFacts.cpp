@@ -2,6 +2,7 @@
 #include "InfoFacts.h"
 
 #include "Progress.h"
+#include "SensorLabels.h"
 
 #include <algorithm>
 #include <set>
@@ -94,6 +95,7 @@ LogFacts gatherFacts(const InfoOptions& options, const rawlog::Config& config,
     LogFacts facts;
     facts.file = options.input;
     readFirst(config, reach, status, progress, facts);
+    facts.warnings = checkSingleSensors(config, *facts.survey, options.input);
     facts.poses = findPoses(options.shared, config, options.input, *facts.survey);
     std::vector<rawlog::PoseCoverage*> coverages;
     for (const PoseSourceFacts& source : facts.poses.sources) {

@@ -36,7 +36,8 @@ struct LogFacts {
     uint64_t fileBytes = 0;
     uint64_t unpackedBytes = 0;  ///< as far as it could be read
     bool gzip = false;
-    std::string damage;  ///< where the reading ended and why; empty: at the end
+    std::string damage;                 ///< where the reading ended and why; empty: at the end
+    std::vector<std::string> warnings;  ///< settings that can hardly be meant
     std::unique_ptr<rawlog::LogSurvey> survey;
     PoseFacts poses;
     std::unique_ptr<rawlog::LogInventory> inventory;

@@ -67,8 +67,7 @@ void LogInventory::add(const RawlogEntry& entry) {
 void LogInventory::addObservation(const CObservation::Ptr& obs) {
     const SensorConfig& config = sensorOf(obs->sensorLabel);
     SensorInventory& sensor = sensors_[{obs->sensorLabel, classNameOf(*obs)}];
-    mrpt::poses::CPose3D mounting;
-    obs->getSensorPose(mounting);
+    const mrpt::poses::CPose3D mounting = sensorInVehicle(*obs, config);
     if (sensor.observations++ == 0) {
         sensor.model = sensorModelOf(*obs);
         sensor.mounting = mounting;
