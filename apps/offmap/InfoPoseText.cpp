@@ -24,11 +24,11 @@ std::string inWords(PoseOrigin origin) {
         case PoseOrigin::Trajectory:
             return "poses of a file";
         case PoseOrigin::RobotPoses:
-            return "robot poses";
+            return "robot pose";
         case PoseOrigin::Actions:
-            return "movements";
+            return "movement";
         case PoseOrigin::Odometry:
-            return "odometry readings";
+            return "odometry reading";
     }
     return "";
 }
@@ -50,8 +50,10 @@ std::string sourceName(const PoseSourceFacts& source) {
 }
 
 Row sourceRow(const PoseSourceFacts& source, bool chosen) {
-    std::string head = source.count > 0 ? grouped(source.count) + " " : "";
-    head += inWords(source.origin) + rateText(source.rate);
+    const bool given = source.count == 0;  // on the command line
+    std::string head =
+        given ? inWords(source.origin) : counted(source.count, inWords(source.origin));
+    head += rateText(source.rate);
     if (source.sigmaPosition && source.sigmaHeading) {
         head += fmt::format(", sigma {:.2g} m, {:.2g} deg", *source.sigmaPosition,
                             mrpt::RAD2DEG(*source.sigmaHeading));

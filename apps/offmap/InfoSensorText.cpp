@@ -61,7 +61,9 @@ std::vector<std::string> scannerLines(const std::string& className, const Sensor
                                     grouped(sensor.external), grouped(sensor.externalMissing)));
     }
     for (const auto& [reason, count] : sensor.notReducible) {
-        lines.push_back(fmt::format("{} cannot be reduced: {}", grouped(count), printable(reason)));
+        const auto why =
+            wrapped(fmt::format("{} cannot be reduced: {}", grouped(count), printable(reason)), 2);
+        lines.insert(lines.end(), why.begin(), why.end());
     }
     return lines;
 }

@@ -37,6 +37,15 @@ class Memory : public ReduceFixture {
         EXPECT_GT(totals["points_removed"], 1000 * scans);
         return run.peakMemory;
     }
+
+    /// [KiB] likewise while a log of so many scans is looked into.
+    int64_t peakOfInfo(int scans) const {
+        writeScans(scans);
+        const RunResult run = runOffmap({"info", in_, "--json", "--quiet"});
+        EXPECT_EQ(run.exitCode, 0) << testing::PrintToString(run);
+        EXPECT_THAT(run.out, testing::HasSubstr("\"scans\": " + std::to_string(scans)));
+        return run.peakMemory;
+    }
 };
 
 // The figure begins with what this program held when it forked.
@@ -50,6 +59,13 @@ TEST_F(Memory, doesNotGrowWithTheLog) {
     const int64_t few = peakOf(200);
     EXPECT_LT(ownPeak(), few);
     const int64_t many = peakOf(2000);
+    EXPECT_LT(static_cast<double>(many), 1.1 * static_cast<double>(few)) << few << " KiB before";
+}
+
+TEST_F(Memory, ofInfoDoesNotGrowWithTheLog) {
+    const int64_t few = peakOfInfo(200);
+    EXPECT_LT(ownPeak(), few);
+    const int64_t many = peakOfInfo(2000);
     EXPECT_LT(static_cast<double>(many), 1.1 * static_cast<double>(few)) << few << " KiB before";
 }
 
