@@ -13,6 +13,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 namespace offmap::app {
 
 using rawlog::grouped;
@@ -53,7 +55,7 @@ std::string logSection(const LogFacts& facts) {
 /// "12.3", "88,314,444"
 std::string secondsText(double seconds) {
     return seconds < 1e4 ? fmt::format("{:.1f}", seconds)
-                         : grouped(static_cast<uint64_t>(seconds + 0.5));
+                         : grouped(static_cast<uint64_t>(std::llround(seconds)));
 }
 
 std::string timeSection(const LogFacts& facts) {

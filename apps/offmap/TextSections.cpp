@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace offmap::app {
 
@@ -65,9 +66,9 @@ std::string nameOf(const std::string& label) {
 
 std::string rateText(const std::optional<double>& rate) {
     if (!rate) return "";
-    return *rate < 999.5
-               ? fmt::format(", {:.3g} Hz", *rate)
-               : fmt::format(", {} Hz", rawlog::grouped(static_cast<uint64_t>(*rate + 0.5)));
+    return *rate < 999.5 ? fmt::format(", {:.3g} Hz", *rate)
+                         : fmt::format(", {} Hz",
+                                       rawlog::grouped(static_cast<uint64_t>(std::llround(*rate))));
 }
 
 }  // namespace offmap::app
