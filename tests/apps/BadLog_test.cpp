@@ -135,11 +135,11 @@ TEST_F(BadLog, sensorsWithoutLabelAreToldToo) {
     expectRefusal(reduceArguments(), 2, HasSubstr("no label (37 x CObservation2DRangeScan)"));
 }
 
-TEST_F(BadLog, unsupportedScansAreNamedAsSuch) {
-    in_ = "/usr/share/mrpt/datasets/rot_scan_2d.rawlog";
+TEST_F(BadLog, withoutScansOfColumnsTellsWhatItHolds) {
+    in_ = "/usr/share/mrpt/datasets/localization_demo.rawlog";
     expectRefusal(reduceArguments(), 2,
                   AllOf(HasSubstr("holds no 3D scan that could be reduced"),
-                        HasSubstr("CObservationRotatingScan")));
+                        HasSubstr("CObservation2DRangeScan")));
 }
 
 TEST_F(BadLog, unreadableFileIsRefused) {
