@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Returns.h"
+#include "RawlogEdit.h"
 #include "ReduceFixture.h"
 
 #include <offmap/rawlog/RotatingScan.h>
@@ -90,6 +91,8 @@ TEST_P(RotatingParts, togetherAreTheOriginal) {
         ASSERT_EQ(reduce({"--set", elevations, "--removed", removed, "--output", output, "--force"})
                       .exitCode,
                   0);
+        expectRawlogEditReads(out_, in_);
+        expectRawlogEditReads(removed, in_);
         const auto original = scansOf(in_), kept = scansOf(out_), gone = scansOf(removed);
         ASSERT_EQ(kept.size(), 3U);
         ASSERT_EQ(gone.size(), 3U);

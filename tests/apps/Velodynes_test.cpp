@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Returns.h"
+#include "RawlogEdit.h"
 #include "ReduceFixture.h"
 
 #include <mrpt/maps/CPointsMap.h>
@@ -26,16 +27,21 @@ class Velodynes : public ReduceFixture, public testing::WithParamInterface<const
 };
 
 TEST_P(Velodynes, keepTheirClassAndLoseTheirWalls) {
-    writeLog(in_, Observations{robot_.localisation(), turn()});
-    const RunResult run = reduce({"--removed", removed_, "--strict"});
-    ASSERT_EQ(run.exitCode, 0) << run.err;
-    const auto original = returnsIn(in_), kept = returnsIn(out_), removed = returnsIn(removed_);
-    EXPECT_TRUE(together(kept, removed) == original);
-    // Most of what a scanner sees in a room of 8 by 5 m is walls; persons and floor stay.
-    EXPECT_GT(removed.size(), original.size() / 2);
-    EXPECT_GT(kept.size(), original.size() / 20);
-    EXPECT_TRUE(
-        std::dynamic_pointer_cast<mrpt::obs::CObservationVelodyneScan>(observationsOf(out_).at(1)));
+    const Observations log{robot_.localisation(), turn()};
+    for (const bool frames : {false, true}) {
+        frames ? writeLog(in_, inFrames(log, 1)) : writeLog(in_, log);
+        const RunResult run = reduce({"--removed", removed_, "--strict", "--force"});
+        ASSERT_EQ(run.exitCode, 0) << run.err;
+        const auto original = returnsIn(in_), kept = returnsIn(out_), removed = returnsIn(removed_);
+        EXPECT_TRUE(together(kept, removed) == original);
+        // Most of what a scanner sees in a room of 8 by 5 m is walls; persons and floor stay.
+        EXPECT_GT(removed.size(), original.size() / 2);
+        EXPECT_GT(kept.size(), original.size() / 20);
+        EXPECT_TRUE(std::dynamic_pointer_cast<mrpt::obs::CObservationVelodyneScan>(
+            observationsOf(out_).at(1)));
+        expectRawlogEditReads(out_, in_);
+        expectRawlogEditReads(removed_, in_);
+    }
 }
 
 TEST_P(Velodynes, becomePointClouds) {
