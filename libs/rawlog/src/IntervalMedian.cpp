@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "SecondsBetween.h"
+
 #include <offmap/rawlog/IntervalMedian.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace offmap::rawlog {
 
 void IntervalMedian::add(mrpt::Clock::time_point time) {
     if (latest_ && time > *latest_) {
-        // As doubles: stamps of a corrupt log may lie further apart than a duration can tell.
-        const double interval = mrpt::Clock::toDouble(time) - mrpt::Clock::toDouble(*latest_);
-        if (interval > 0) {
-            Bin& bin = bins_[static_cast<int>(std::floor(std::log(interval) / std::log(1.01)))];
-            ++bin.count;
-            bin.sum += interval;
-            ++count_;
-        }
+        const double interval = secondsBetween(*latest_, time);
+        Bin& bin = bins_[static_cast<int>(std::floor(std::log(interval) / std::log(1.01)))];
+        ++bin.count;
+        bin.sum += interval;
+        ++count_;
     }
     latest_ = time;
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "SecondsBetween.h"
+
 #include <offmap/rawlog/PoseTrack.h>
 
 #include <Eigen/Cholesky>
@@ -14,14 +16,6 @@ namespace {
 
 using mrpt::math::TPose3D;
 using TimePoint = mrpt::Clock::time_point;
-
-// Unsigned: stamps of a corrupt log may lie further apart than a signed difference can tell.
-double secondsBetween(TimePoint earlier, TimePoint later) {
-    const auto ticks = static_cast<uint64_t>(later.time_since_epoch().count()) -
-                       static_cast<uint64_t>(earlier.time_since_epoch().count());
-    using Period = mrpt::Clock::period;
-    return static_cast<double>(ticks) * Period::num / Period::den;
-}
 
 TPose3D interpolated(const TPose3D& from, const TPose3D& to, double share) {
     TPose3D pose;
