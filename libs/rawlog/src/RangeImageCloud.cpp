@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "AsPointCloud.h"
+
 #include <offmap/rawlog/RangeImage.h>
 #include <offmap/rawlog/RangeImageScan.h>
 
 #include <mrpt/maps/CColouredPointsMap.h>
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/maps/CSimplePointsMap.h>
-#include <mrpt/obs/CObservationPointCloud.h>
 
 namespace offmap::rawlog {
 
@@ -63,11 +64,7 @@ mrpt::obs::CObservation::Ptr RangeImageScan::asPointCloud(
     const SensorConfig& /*config*/) const {
     checkMask(observation, keep);
     const Scan& obs = dynamic_cast<const Scan&>(observation);
-    auto out = mrpt::obs::CObservationPointCloud::Create();
-    out->timestamp = obs.timestamp;
-    out->sensorLabel = obs.sensorLabel;
-    out->sensorPose = obs.sensorPose;
-    out->pointcloud = emptyMap(obs);
+    const auto out = cloudLike(obs, emptyMap(obs));
     if (hasRanges(obs)) {
         insertReturns(*out->pointcloud, obs, keep);
     } else {

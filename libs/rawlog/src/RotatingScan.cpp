@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "AsPointCloud.h"
+
 #include <offmap/rawlog/ColumnBuilder.h>
 #include <offmap/rawlog/RotatingGeometry.h>
 #include <offmap/rawlog/RotatingScan.h>
 
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/maps/CSimplePointsMap.h>
-#include <mrpt/obs/CObservationPointCloud.h>
 
 namespace offmap::rawlog {
 
@@ -179,10 +180,6 @@ mrpt::obs::CObservation::Ptr RotatingScan::asPointCloud(const mrpt::obs::CObserv
                                                         const SensorConfig& config) const {
     checkMask(obs, keep);
     const Scan& scan = asScan(obs);
-    auto out = mrpt::obs::CObservationPointCloud::Create();
-    out->timestamp = scan.timestamp;
-    out->sensorLabel = scan.sensorLabel;
-    out->sensorPose = scan.sensorPose;
     if (hasIntensity(scan)) {
         auto cloud = mrpt::maps::CPointsMapXYZI::Create();
         insertPoints(
@@ -192,15 +189,13 @@ mrpt::obs::CObservation::Ptr RotatingScan::asPointCloud(const mrpt::obs::CObserv
                           : 0;
                 cloud->insertPointRGB(p.x, p.y, p.z, static_cast<float>(full) / 255.0F, 0, 0);
             });
-        out->pointcloud = cloud;
-    } else {
-        auto cloud = mrpt::maps::CSimplePointsMap::Create();
-        insertPoints(scan, keep, config, [&](const auto& p, bool, uint32_t, uint32_t) {
-            cloud->insertPoint(p.x, p.y, p.z);
-        });
-        out->pointcloud = cloud;
+        return cloudLike(scan, cloud);
     }
-    return out;
+    auto cloud = mrpt::maps::CSimplePointsMap::Create();
+    insertPoints(scan, keep, config, [&](const auto& p, bool, uint32_t, uint32_t) {
+        cloud->insertPoint(p.x, p.y, p.z);
+    });
+    return cloudLike(scan, cloud);
 }
 
 }  // namespace offmap::rawlog

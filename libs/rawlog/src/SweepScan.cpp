@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "AsPointCloud.h"
+
 #include <offmap/rawlog/SweepColumns.h>
 #include <offmap/rawlog/SweepFan.h>
 #include <offmap/rawlog/SweepScan.h>
@@ -6,7 +8,6 @@
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <cmath>
 
@@ -71,12 +72,7 @@ mrpt::obs::CObservation::Ptr SweepScan::asPointCloud(const mrpt::obs::CObservati
                                                      const SensorConfig& /*config*/) const {
     checkMask(obs, keep);
     const Scan& scan = asScan(obs);
-    auto out = mrpt::obs::CObservationPointCloud::Create();
-    out->timestamp = scan.timestamp;
-    out->sensorLabel = scan.sensorLabel;
-    out->sensorPose = scan.sensorPose;
-    out->pointcloud = cloudOf(scan, keep);
-    return out;
+    return cloudLike(scan, cloudOf(scan, keep));
 }
 
 }  // namespace offmap::rawlog

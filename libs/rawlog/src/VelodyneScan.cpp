@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "AsPointCloud.h"
+
 #include <offmap/rawlog/ColumnBuilder.h>
 #include <offmap/rawlog/VelodyneCloud.h>
 #include <offmap/rawlog/VelodyneColumns.h>
@@ -6,7 +8,6 @@
 #include <offmap/rawlog/VelodyneScan.h>
 
 #include <mrpt/maps/CPointsMapXYZI.h>
-#include <mrpt/obs/CObservationPointCloud.h>
 
 namespace offmap::rawlog {
 
@@ -92,12 +93,7 @@ mrpt::obs::CObservation::Ptr VelodyneScan::asPointCloud(const mrpt::obs::CObserv
             static_cast<float>(returnInSlot(scan, decoded.slots[i]).intensity()) / 255.0F;
         cloud->insertPointRGB(p.x, p.y, p.z, intensity, 0, 0);
     }
-    auto out = mrpt::obs::CObservationPointCloud::Create();
-    out->timestamp = scan.timestamp;
-    out->sensorLabel = scan.sensorLabel;
-    out->sensorPose = scan.sensorPose;
-    out->pointcloud = cloud;
-    return out;
+    return cloudLike(scan, cloud);
 }
 
 }  // namespace offmap::rawlog
