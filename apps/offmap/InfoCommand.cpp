@@ -33,9 +33,9 @@ void requireSensors(const InfoOptions& options, const LogFacts& facts) {
     }
 }
 
-int tell(const InfoOptions& options, const rawlog::Config& config, const InfoReach& reach,
+int tell(const InfoOptions& options, const rawlog::Config& config, const ReadableLog& readable,
          rawlog::GuardedStatus& status) {
-    const LogFacts facts = gatherFacts(options, config, reach, status);
+    const LogFacts facts = gatherFacts(options, config, readable, status);
     requireSensors(options, facts);
     const Advice advice = adviceFor(facts, options, config);
     say(stdout, "{}", options.json ? infoJson(facts, advice) : infoText(facts, advice));
@@ -45,17 +45,18 @@ int tell(const InfoOptions& options, const rawlog::Config& config, const InfoRea
     return exitFailed;
 }
 
-int tellGuarded(const InfoOptions& options, const rawlog::Config& config, const InfoReach& reach) {
+int tellGuarded(const InfoOptions& options, const rawlog::Config& config,
+                const ReadableLog& readable) {
     using Kind = rawlog::GuardedOutcome::Kind;
     const rawlog::GuardedOutcome outcome = reportingErrorsGuarded(
-        [&](rawlog::GuardedStatus& status) { return tell(options, config, reach, status); });
+        [&](rawlog::GuardedStatus& status) { return tell(options, config, readable, status); });
     if (outcome.kind == Kind::Finished) return outcome.exitCode;
     if (outcome.kind == Kind::Interrupted) return exitCodeOfInterruption(outcome);
     const std::string what = rawlog::unreadableEntry(
         options.input, outcome.place.value_or(rawlog::EntryPlace{}), outcome.cause);
-    const uint64_t readable = outcome.place ? outcome.place->index : 0;
-    if (readable > 0 && readable < reach.entries) {
-        return tellGuarded(options, config, {readable, what});
+    const uint64_t readableEntries = outcome.place ? outcome.place->index : 0;
+    if (readableEntries > 0 && readableEntries < readable.entries) {
+        return tellGuarded(options, config, {readableEntries, what});
     }
     say(stderr, "offmap: {}\n", what);
     return exitFailed;

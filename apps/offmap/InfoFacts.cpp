@@ -33,16 +33,16 @@ class PassWatch {
     int pass_;  ///< 0 or 1
 };
 
-void readFirst(const rawlog::Config& config, const InfoReach& reach, rawlog::GuardedStatus& status,
-               Progress& progress, LogFacts& facts) {
+void readFirst(const rawlog::Config& config, const ReadableLog& readable,
+               rawlog::GuardedStatus& status, Progress& progress, LogFacts& facts) {
     rawlog::RawlogReader reader(facts.file);
     const PassWatch watch(reader, status, progress, 0);
     facts.survey = std::make_unique<rawlog::LogSurvey>(
-        rawlog::surveyLog(reader, config, reach.entries, [&] { watch.atEntry(); }));
+        rawlog::surveyLog(reader, config, readable.entries, [&] { watch.atEntry(); }));
     facts.fileBytes = reader.compressedSize();
     facts.unpackedBytes = reader.place().offset;
     facts.gzip = reader.isGzip();
-    facts.damage = reach.endsBecause;
+    facts.damage = readable.endsBecause;
     if (!facts.survey->damage) return;
     if (facts.survey->entries == 0) throw *facts.survey->damage;
     facts.damage = facts.survey->damage->what();
@@ -90,11 +90,11 @@ bool InfoOptions::chooses(const std::string& label) const {
 }
 
 LogFacts gatherFacts(const InfoOptions& options, const rawlog::Config& config,
-                     const InfoReach& reach, rawlog::GuardedStatus& status) {
+                     const ReadableLog& readable, rawlog::GuardedStatus& status) {
     Progress progress(options.quiet);
     LogFacts facts;
     facts.file = options.input;
-    readFirst(config, reach, status, progress, facts);
+    readFirst(config, readable, status, progress, facts);
     facts.warnings = checkSingleSensors(config, *facts.survey, options.input);
     facts.poses = findPoses(options.shared, config, options.input, *facts.survey);
     std::vector<rawlog::PoseCoverage*> coverages;

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "InfoPoses.h"
+#include "ReadableLog.h"
 
 #include <offmap/rawlog/GuardedRun.h>
 #include <offmap/rawlog/LogInventory.h>
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,15 +43,9 @@ struct LogFacts {
     std::unique_ptr<rawlog::LogInventory> inventory;
 };
 
-/// How much of a log there is to read.
-struct InfoReach {
-    uint64_t entries = std::numeric_limits<uint64_t>::max();
-    std::string endsBecause;  ///< why, if it is known not to be the end
-};
-
 /// Reads the log twice. \param config must outlive what is returned
 /// \throw UsageError, std::exception if there is nothing to tell
 LogFacts gatherFacts(const InfoOptions& options, const rawlog::Config& config,
-                     const InfoReach& reach, rawlog::GuardedStatus& status);
+                     const ReadableLog& readable, rawlog::GuardedStatus& status);
 
 }  // namespace offmap::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ReadableLog.h"
 #include "ReduceFiles.h"
 
 #include <offmap/core/LineMap.h>
@@ -8,8 +9,6 @@
 #include <offmap/rawlog/GuardedRun.h>
 #include <offmap/rawlog/ReductionTotals.h>
 
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,13 +25,6 @@ struct ReduceJob {
 struct LogToReduce {
     ReduceFiles files;
     std::string title;
-};
-
-/// How much of a log there is to read.
-struct ReadableLog {
-    uint64_t entries =
-        std::numeric_limits<uint64_t>::max();  ///< the reading ends before the next one
-    std::string endsBecause;                   ///< why, if it is known not to be the end
 };
 
 /// What came of a log.
