@@ -3,9 +3,12 @@
 #include <offmap/core/LevelledScan.h>
 #include <offmap/core/MapMatching.h>
 #include <offmap/core/OrphanRemoval.h>
+#include <offmap/core/PointLevel.h>
 #include <offmap/core/Reducer.h>
+#include <offmap/core/ScanAlignment.h>
 #include <offmap/core/SegmentsByColumn.h>
 #include <offmap/core/VerticalSegments.h>
+#include <offmap/core/WallGate.h>
 
 #include <algorithm>
 
@@ -17,11 +20,17 @@ struct Reducer::Workspace {
     std::vector<std::optional<Viewpoint>> viewpoints;  // per column
     SegmentsByColumn byColumn;
     ExtensionScratch extension;
+    std::vector<WallSight> sights;
     ReductionResult result;
 
     void findViewpoints(const OrganizedScan& scan, const LineMap& map,
                         const MatchingConfig& config);
-    void matchSegments(const LineMap& map, const ReductionConfig& config);
+    void measureSegments(const ReductionConfig& config);
+    void matchByRays(const LineMap& map, const ReductionConfig& config);
+    std::optional<PoseCorrection> correct(const OrganizedScan& scan, const LineMap& map,
+                                          const ReductionConfig& config);
+    void matchByGates(const PoseCorrection& correction, const LineMap& map,
+                      const ReductionConfig& config);
     void labelPoints(size_t points);
 };
 
@@ -55,19 +64,51 @@ void Reducer::Workspace::findViewpoints(const OrganizedScan& scan, const LineMap
     if (anyUsable && offMap) result.notReduced = PoseFault::OffMap;
 }
 
-void Reducer::Workspace::matchSegments(const LineMap& map, const ReductionConfig& config) {
-    result.matches.clear();
-    for (const VerticalSegment& segment : result.segments) {
-        const Interval measured = groundInterval(segment, levelled, config.groundInterval);
+void Reducer::Workspace::measureSegments(const ReductionConfig& config) {
+    result.matches.assign(result.segments.size(), SegmentMatch());  // Kept, NoPose
+    for (size_t s = 0; s < result.segments.size(); ++s) {
+        result.matches[s].measured =
+            groundInterval(result.segments[s], levelled, config.groundInterval);
+    }
+}
+
+void Reducer::Workspace::matchByRays(const LineMap& map, const ReductionConfig& config) {
+    for (size_t s = 0; s < result.segments.size(); ++s) {
+        const VerticalSegment& segment = result.segments[s];
+        SegmentMatch& match = result.matches[s];
         const auto& viewpoint = viewpoints[segment.column];
-        if (viewpoint) {
-            result.matches.push_back(
-                matchByRay(segment, measured, *viewpoint, map, config.matching));
-        } else {
-            SegmentMatch match;
-            match.measured = measured;
-            result.matches.push_back(match);  // Kept, NoPose
-        }
+        if (viewpoint)
+            match = matchByRay(segment, match.measured, *viewpoint, map, config.matching);
+    }
+}
+
+/// How the scan's poses are to be corrected; none if what it shows does not fit them.
+std::optional<PoseCorrection> Reducer::Workspace::correct(const OrganizedScan& scan,
+                                                          const LineMap& map,
+                                                          const ReductionConfig& config) {
+    findSights(scan, levelled, result.segments, sights);
+    std::erase_if(sights, [&](const WallSight& sight) {
+        return !viewpoints[result.segments[sight.segment].column];
+    });
+    if (sights.empty()) return std::nullopt;
+    const auto& first = *scan.columns[result.segments[sights.front().segment].column].sensor;
+    const mrpt::math::TPoint2D pivot(first.sensorInMap.x(), first.sensorInMap.y());
+    if (config.matching.method == MatchingMethod::Probabilistic) {
+        return uncorrected(pivot, first.groundCovariance, config.alignment);
+    }
+    result.alignment = align(sights, map, pivot, first.groundCovariance, config.alignment);
+    const bool fits = result.alignment->converged &&
+                      result.alignment->fittedShare >= config.alignment.minFittedShare;
+    if (fits) return result.alignment->correction;
+    result.notReduced = PoseFault::DoesNotFit;
+    return std::nullopt;
+}
+
+void Reducer::Workspace::matchByGates(const PoseCorrection& correction, const LineMap& map,
+                                      const ReductionConfig& config) {
+    for (const WallSight& sight : sights) {
+        SegmentMatch& match = result.matches[sight.segment];
+        match = matchByGate(sight, match.measured, correction, map, config);
     }
 }
 
@@ -92,13 +133,26 @@ Reducer::~Reducer() = default;
 Reducer::Reducer(Reducer&&) noexcept = default;
 
 const ReductionResult& Reducer::reduce(const OrganizedScan& scan) {
-    auto& [levelled, splitting, viewpoints, byColumn, extension, result] = *work_;
-    const ColumnRing ring(scan);
+    auto& [levelled, splitting, viewpoints, byColumn, extension, sights, result] = *work_;
+    result.alignment.reset();
     level(scan, levelled);
     findVerticalSegments(scan, levelled, config_.vertical, splitting,
                          result.segments);                // section 3
     work_->findViewpoints(scan, map_, config_.matching);  // 3.2
-    work_->matchSegments(map_, config_);                  // eqs. 1-7
+    work_->measureSegments(config_);                      // eqs. 3-5
+    if (config_.matching.method == MatchingMethod::Paper) {
+        reduceByRays(scan);
+    } else {
+        reduceByGates(scan);
+    }
+    return result;
+}
+
+/// As the paper does it.
+void Reducer::reduceByRays(const OrganizedScan& scan) {
+    auto& [levelled, splitting, viewpoints, byColumn, extension, sights, result] = *work_;
+    const ColumnRing ring(scan);
+    work_->matchByRays(map_, config_);  // eqs. 1, 6, 7
     byColumn.build(result.segments, viewpoints);
     if (config_.extension.enabled) {
         extendAlongWalls(ring, result.segments, byColumn, viewpoints, map_, config_,
@@ -109,7 +163,18 @@ const ReductionResult& Reducer::reduce(const OrganizedScan& scan) {
         removeOrphans(ring, result.segments, byColumn, config_.orphan, result.matches);  // 3.4
     }
     work_->labelPoints(scan.points.size());
-    return result;
+}
+
+/// With the pose conditioned on the scan, and all that is uncertain in one gate.
+void Reducer::reduceByGates(const OrganizedScan& scan) {
+    ReductionResult& result = work_->result;
+    const auto correction = work_->correct(scan, map_, config_);
+    if (correction) work_->matchByGates(*correction, map_, config_);
+    work_->labelPoints(scan.points.size());
+    if (!correction) return;
+    const ReturnOffsets offsets(scan, work_->levelled, *correction, map_, config_.alignment);
+    labelLooseReturns(offsets, result.segments, result.matches, result.labels);
+    keepRunsOffTheWall(offsets, result.segments, result.matches, result.labels);
 }
 
 }  // namespace offmap::core

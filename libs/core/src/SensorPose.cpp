@@ -22,6 +22,8 @@ std::string_view toString(PoseFault fault) {
             return "pose_too_uncertain";
         case PoseFault::OffMap:
             return "no_wall_in_range";
+        case PoseFault::DoesNotFit:
+            return "pose_does_not_fit";
     }
     return "unknown";
 }

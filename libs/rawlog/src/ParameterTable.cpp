@@ -50,7 +50,7 @@ Rows segmentRows() {
 
 Rows matchingRows() {
     return {
-        choice("matching.method", {"paper"}, FIELD(reduction.matching.method),
+        choice("matching.method", {"paper", "probabilistic", "aligned"}, FIELD(reduction.matching.method),
                "how segments are matched to the map"),
         number("matching.sigma_factor", "-", 0, 10, FIELD(reduction.matching.sigmaFactor),
                "standard deviations that an uncertainty is taken as"),
@@ -60,6 +60,19 @@ Rows matchingRows() {
                "a pose whose position ellipse is larger is not used"),
         number("matching.max_heading_error_deg", "deg", 0.01, 90, FIELD(reduction.matching.maxHeadingError),
                "a pose whose heading is less certain is not used"),
+    };
+}
+
+Rows alignmentRows() {
+    return {
+        number("alignment.sigma_range_m", "m", 0.001, 1, FIELD(reduction.alignment.sigmaRange),
+               "standard deviation of a single return's range"),
+        number("alignment.sigma_tilt_deg", "deg", 0.01, 10, FIELD(reduction.alignment.sigmaTilt),
+               "standard deviation of the sensor's lean, about either axis"),
+        number("alignment.gate_sigmas", "-", 0.5, 10, FIELD(reduction.alignment.gate),
+               "standard deviations that a mapped segment may stand off its wall"),
+        number("alignment.min_fitted_share", "-", 0, 1, FIELD(reduction.alignment.minFittedShare),
+               "share of segments on walls; with fewer, the scan is kept whole"),
     };
 }
 
@@ -137,8 +150,8 @@ Rows poseAndMapRows() {
 
 Rows allRows() {
     Rows table;
-    for (const auto& section : {segmentRows(), matchingRows(), extensionAndOrphanRows(),
-                                sensorRows(), poseAndMapRows()}) {
+    for (const auto& section : {segmentRows(), matchingRows(), alignmentRows(),
+                                extensionAndOrphanRows(), sensorRows(), poseAndMapRows()}) {
         table.insert(table.end(), section.begin(), section.end());
     }
     return table;

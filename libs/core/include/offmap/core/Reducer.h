@@ -25,6 +25,9 @@ class Reducer {
 
  private:
     struct Workspace;
+    void reduceByRays(const OrganizedScan& scan);
+    void reduceByGates(const OrganizedScan& scan);
+
     const LineMap& map_;
     ReductionConfig config_;
     std::unique_ptr<Workspace> work_;

@@ -22,7 +22,7 @@ struct GroundIntervalConfig {
     double maxMountingTilt = mrpt::DEG2RAD(1.5);  ///< [rad] gamma of eq. 4
 };
 
-enum class MatchingMethod : uint8_t { Paper };
+enum class MatchingMethod : uint8_t { Paper, Probabilistic, Aligned };
 
 /// Matching a ground interval to the map (section 3.2, 3.3).
 struct MatchingConfig {
@@ -31,6 +31,14 @@ struct MatchingConfig {
     double maxRange = 100.0;                       ///< [m] walls further away are not looked for
     double maxPositionRadius = 0.5;                ///< [m] a larger position ellipse cannot be used
     double maxHeadingError = mrpt::DEG2RAD(15.0);  ///< [rad] nor can a heading less certain
+};
+
+/// Conditioning the pose on the scan, and the gate around walls (methods probabilistic, aligned).
+struct AlignmentConfig {
+    double sigmaRange = 0.02;               ///< [m] standard deviation of a single return's range
+    double sigmaTilt = mrpt::DEG2RAD(1.2);  ///< [rad] of the sensor's lean about either axis
+    double gate = 3.0;                      ///< [-] sigmas that a segment may stand off its wall
+    double minFittedShare = 0.3;  ///< [-] of the segments on walls; with fewer, all are kept
 };
 
 /// Extending matched segments along their wall (section 3.3).
@@ -54,6 +62,7 @@ struct ReductionConfig {
     VerticalConfig vertical;
     GroundIntervalConfig groundInterval;
     MatchingConfig matching;
+    AlignmentConfig alignment;
     ExtensionConfig extension;
     OrphanConfig orphan;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/core/Alignment.h>
 #include <offmap/core/Interval.h>
 #include <offmap/core/SensorPose.h>
 
@@ -82,6 +83,8 @@ struct ReductionResult {
     /// Set if no column could be reduced: all is kept, for this reason.
     std::optional<PoseFault> notReduced;
     uint32_t columnsWithoutPose = 0;  ///< of columns that hold points
+    /// How the poses were conditioned on the scan; none with methods that do not.
+    std::optional<Alignment> alignment;
 };
 
 }  // namespace offmap::core

@@ -26,6 +26,7 @@ enum class PoseFault : uint8_t {
     NotPsd,        ///< the covariance is not positive semidefinite
     TooUncertain,  ///< the position ellipse is so large that any segment would match
     OffMap,        ///< no wall within range of the sensor
+    DoesNotFit,    ///< what the scan shows fits no place that the pose allows
 };
 
 /// Stable snake_case name, as in reports: "no_pose", "pose_too_old", ...

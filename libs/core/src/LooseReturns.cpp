@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/PointLevel.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace offmap::core {
+
+using mrpt::math::TPoint2D;
+
+namespace {
+
+constexpr uint32_t reach = 3;  // columns to either side that a removed wall is looked for in
+
+/// [m] Within it, the foot of a wall cannot be told from the floor, nor its top from the ceiling.
+constexpr double edge = 0.08;
+
+void join(std::vector<RemovedWall>& walls, const RemovedWall& more) {
+    const auto known = std::ranges::find(walls, more.wall, &RemovedWall::wall);
+    if (known == walls.end()) {
+        walls.push_back(more);
+        return;
+    }
+    known->low = std::min(known->low, more.low);
+    known->high = std::max(known->high, more.high);
+}
+
+/// The removed walls of each column, and of those near it.
+class RemovedWalls {
+ public:
+    RemovedWalls(size_t columns, std::span<const VerticalSegment> segments,
+                 std::span<const SegmentMatch> matches)
+        : ofColumn_(columns) {
+        for (size_t s = 0; s < segments.size(); ++s) {
+            if (!matches[s].mapped() || !matches[s].wall) continue;
+            ofColumn_[segments[s].column].push_back(
+                {*matches[s].wall, segments[s].bottom.y, segments[s].top.y});
+        }
+    }
+
+    /// Fills `walls` with those of the columns from `reach` before to `reach` behind, round the
+    /// turn's end.
+    void near(uint32_t column, std::vector<RemovedWall>& walls) const {
+        walls.clear();
+        const auto columns = static_cast<uint32_t>(ofColumn_.size());
+        if (columns <= 2 * reach) return;
+        for (uint32_t step = 0; step <= 2 * reach; ++step) {
+            const uint32_t c = (column + columns - reach + step) % columns;
+            for (const RemovedWall& wall : ofColumn_[c]) join(walls, wall);
+        }
+    }
+
+ private:
+    std::vector<std::vector<RemovedWall>> ofColumn_;
+};
+
+bool liesOn(const RemovedWall& wall, uint32_t point, const ColumnPlace& place,
+            const ReturnOffsets& offsets) {
+    const double z = offsets.levelled().profile[point].y;
+    if (z < wall.low + edge || z > wall.high - edge) return false;
+    const WallOffset offset = offsets.of(point, place, wall.wall);
+    return offset.distance <= offsets.config().gate * offset.sigma;
+}
+
+}  // namespace
+
+WallOffset ReturnOffsets::of(uint32_t point, const ColumnPlace& place, uint32_t wall) const {
+    const TPoint2D ground = levelled_.ground[point];
+    const double range = ground.norm();
+    const TPoint2D beam = range > 0 ? ground * (1 / range) : TPoint2D(1, 0);
+    return offsetFrom(map_.walls()[wall], correction_, place, {ground, levelled_.profile[point].y},
+                      beam, config_.sigmaRange * config_.sigmaRange);
+}
+
+void labelLooseReturns(const ReturnOffsets& offsets, std::span<const VerticalSegment> segments,
+                       std::span<const SegmentMatch> matches, std::span<PointLabel> labels) {
+    const auto& columns = offsets.scan().columns;
+    const RemovedWalls removed(columns.size(), segments, matches);
+    std::vector<RemovedWall> walls;
+    for (uint32_t c = 0; c < columns.size(); ++c) {
+        if (!columns[c].sensor || columns[c].begin == columns[c].end) continue;
+        removed.near(c, walls);
+        if (walls.empty()) continue;
+        const ColumnPlace place = placeOf(columns[c]);
+        for (uint32_t i = columns[c].begin; i < columns[c].end; ++i) {
+            if (labels[i] != PointLabel::NotOnVerticalSegment) continue;
+            const bool mapped = std::ranges::any_of(
+                walls, [&](const RemovedWall& wall) { return liesOn(wall, i, place, offsets); });
+            if (mapped) labels[i] = PointLabel::Mapped;
+        }
+    }
+}
+
+}  // namespace offmap::core
