@@ -32,16 +32,16 @@ class Beams {
 
     /// Adds the return, if there is one. The beam leaves off its direction by the noise of the
     /// angles; its point is put where the beam should have gone.
-    void fire(double azimuth, double elevation, uint32_t sourceIndex, SimulatedScan& result) {
-        const double trueAzimuth = azimuth + random_.next(noise_.angle);
-        const double trueElevation = elevation + random_.next(noise_.angle);
+    void fire(const BeamAngles& angles, uint32_t sourceIndex, SimulatedScan& result) {
+        const double trueAzimuth = angles.azimuth + random_.next(noise_.angle);
+        const double trueElevation = angles.elevation + random_.next(noise_.angle);
         const double rangeError = random_.next(noise_.range);
 
         const auto direction = sensorInMap_.rotateVector(beam(trueAzimuth, trueElevation));
         const auto hit = world_.castRay(sensorInMap_.translation(), direction, scanner_.maxRange);
         if (!hit || hit->range + rangeError <= 0) return;
 
-        const TPoint3D point = beam(azimuth, elevation) * (hit->range + rangeError);
+        const TPoint3D point = beam(angles.azimuth, angles.elevation) * (hit->range + rangeError);
         result.scan.points.push_back(point.cast<float>());
         result.scan.sourceIndex.push_back(sourceIndex);
         const Surface& surface = world_.surfaces()[hit->surface];
@@ -76,8 +76,8 @@ SimulatedScan simulate(const World& world, const Scanner& scanner, const core::S
     for (size_t c = 0; c < scanner.azimuths.size(); ++c) {
         core::ScanColumn column;
         column.begin = static_cast<uint32_t>(result.scan.points.size());
-        for (const double elevation : scanner.elevations) {
-            beams.fire(scanner.azimuths[c], elevation, beamIndex++, result);
+        for (size_t ring = 0; ring < scanner.elevations.size(); ++ring) {
+            beams.fire(beamAngles(scanner, c, ring), beamIndex++, result);
         }
         column.end = static_cast<uint32_t>(result.scan.points.size());
         column.azimuth = static_cast<float>(scanner.azimuths[c]);
