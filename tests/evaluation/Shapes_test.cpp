@@ -91,6 +91,16 @@ TEST(CylinderShape, isNotMetFromInside) {
     EXPECT_FALSE(meet(ray({0, 0, 1}, {0, 0, 1}), cylinder));
 }
 
+TEST(CylinderShape, leaningOneIsMetWhereItsSectionStands) {
+    // 10 cm towards the ray per metre: at z = 1.5 the centre stands at x = 3 - 0.15
+    const Cylinder leaning{{3, 0}, 0.25, {0, 2}, {-0.1, 0}};
+    EXPECT_NEAR(meet(ray({0, 0, 1.5}, {1, 0, 0}), leaning).value(), 3 - 0.15 - 0.25, rounding);
+    EXPECT_FALSE(meet(ray({0, 0.251, 1.5}, {1, 0, 0}), leaning));
+    // from above onto its top, which ends at x = 3 - 0.2 + 0.25
+    EXPECT_NEAR(meet(ray({3.04, 0, 5}, {0, 0, -1}), leaning).value(), 3, rounding);
+    EXPECT_FALSE(meet(ray({3.06, 0, 5}, {1e-9, 0, -1}), Cylinder{{3, 0}, 0.05, {0, 2}, {-0.1, 0}}));
+}
+
 TEST(BoxShape, sidesAreMet) {
     EXPECT_NEAR(meet(ahead, Box{{4, 0, 0}, 2, 0.5, {0, 2}}).value(), 3, rounding);
     EXPECT_NEAR(meet(ahead, Box{{4, 0, std::numbers::pi / 2}, 2, 0.5, {0, 2}}).value(), 3.75,

@@ -67,8 +67,11 @@ std::optional<double> meet(const Ray& ray, const Plane& plane) {
 }
 
 std::optional<double> meet(const Ray& ray, const Cylinder& cylinder) {
-    const TPoint2D direction(ray.direction.x, ray.direction.y);
-    const TPoint2D fromAxis = TPoint2D(ray.origin.x, ray.origin.y) - cylinder.centre;
+    // sheared upright, which leaves the distance along the ray as it is
+    const TPoint2D direction =
+        TPoint2D(ray.direction.x, ray.direction.y) - cylinder.lean * ray.direction.z;
+    const TPoint2D fromAxis = TPoint2D(ray.origin.x, ray.origin.y) - cylinder.centre -
+                              cylinder.lean * (ray.origin.z - cylinder.height.min());
 
     Stretch inside;
     inside.cutToSlab(ray.origin.z, ray.direction.z, cylinder.height.min(), cylinder.height.max());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/evaluation/SimulatedScan.h>
+#include <offmap/evaluation/StandOff.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -28,7 +29,9 @@ class Beams {
           scanner_(scanner),
           sensorInMap_(sensorInMap),
           noise_(noise),
-          random_(seed) {}
+          random_(seed) {
+        for (uint32_t id = 0; id < world.surfaces().size(); ++id) truths_.push_back(truthOf(id));
+    }
 
     /// Adds the return, if there is one. The beam leaves off its direction by the noise of the
     /// angles; its point is put where the beam should have gone.
@@ -44,16 +47,23 @@ class Beams {
         const TPoint3D point = beam(angles.azimuth, angles.elevation) * (hit->range + rangeError);
         result.scan.points.push_back(point.cast<float>());
         result.scan.sourceIndex.push_back(sourceIndex);
-        const Surface& surface = world_.surfaces()[hit->surface];
-        result.truth.push_back({hit->surface, surface.kind, surface.mapped()});
+        result.truth.push_back(truths_[hit->surface]);
     }
 
  private:
+    PointTruth truthOf(uint32_t id) const {
+        const Surface& surface = world_.surfaces()[id];
+        PointTruth truth{id, surface.kind, surface.mapped()};
+        if (const auto gap = standOffOf(world_, id)) truth.standOff = static_cast<float>(*gap);
+        return truth;
+    }
+
     const World& world_;
     const Scanner& scanner_;
     const mrpt::poses::CPose3D& sensorInMap_;
     const ScannerNoise& noise_;
     GaussianNoise random_;
+    std::vector<PointTruth> truths_;  ///< one per surface
 };
 
 mrpt::Clock::time_point timeOf(const Scanner& scanner, size_t column) {

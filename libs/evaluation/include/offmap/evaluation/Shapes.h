@@ -29,11 +29,12 @@ struct Plane {
     double z;  ///< [m]
 };
 
-/// A standing, closed cylinder.
+/// A closed cylinder, standing or leaning: each of its horizontal sections is a circle.
 struct Cylinder {
-    mrpt::math::TPoint2D centre;  ///< [m]
-    double radius;                ///< [m]
-    core::Interval height;        ///< [m] z
+    mrpt::math::TPoint2D centre;      ///< [m] of the lowest section
+    double radius;                    ///< [m]
+    core::Interval height;            ///< [m] z
+    mrpt::math::TPoint2D lean{0, 0};  ///< [m/m] way of the centre per metre of height
 };
 
 /// A closed box, turned about the vertical.

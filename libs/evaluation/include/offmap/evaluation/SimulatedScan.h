@@ -8,6 +8,7 @@
 #include <offmap/evaluation/World.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace offmap::evaluation {
@@ -23,6 +24,7 @@ struct PointTruth {
     uint32_t surface;  ///< its id in the world
     SurfaceKind kind;
     bool mapped;
+    std::optional<float> standOff{};  ///< [m] of an object from the nearest wall, see standOffOf()
 };
 
 struct SimulatedScan {
