@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/core/LineMap.h>
+#include <offmap/core/WallGeometry.h>
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -36,9 +37,8 @@ struct LineMap::Index {
 
 namespace {
 
-Box boundsOf(const TPoint2D& a, const TPoint2D& b, double margin = 0) {
-    return {{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
-            {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
+Box boxAround(const TPoint2D& low, const TPoint2D& high, double margin) {
+    return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
 }
 
 void requireUsable(const Wall& wall, size_t index) {
@@ -51,32 +51,10 @@ void requireUsable(const Wall& wall, size_t index) {
     }
     if (!(wall.sigma >= 0) || !std::isfinite(wall.sigma)) fail("has a sigma that is not >= 0");
     if (a == b) fail("has no length");
-}
-
-/// Ground range at which a ray meets a wall. A ray along the wall meets its nearer end. On which
-/// side of the ray an end point lies is worked out from that point alone, so that no ray slips
-/// through between two walls that share it.
-std::optional<double> rangeTo(const Wall& wall, const TPoint2D& origin, const TPoint2D& direction) {
-    const TPoint2D a = wall.line.point1 - origin, b = wall.line.point2 - origin;
-    const double leftA = direction.x * a.y - direction.y * a.x;
-    const double leftB = direction.x * b.y - direction.y * b.x;
-    if ((leftA > 0 && leftB > 0) || (leftA < 0 && leftB < 0)) return std::nullopt;
-    const double alongA = direction.x * a.x + direction.y * a.y;
-    const double alongB = direction.x * b.x + direction.y * b.y;
-    if (leftA == leftB) {  // both 0: the wall lies along the ray
-        if (alongA < 0 && alongB < 0) return std::nullopt;
-        return std::max(std::min(alongA, alongB), 0.0);
-    }
-    const double range = alongA + leftA / (leftA - leftB) * (alongB - alongA);
-    if (range < 0) return std::nullopt;
-    return range;
-}
-
-double incidenceOf(const Wall& wall, const TPoint2D& direction) {
-    const TPoint2D along = wall.line.point2 - wall.line.point1;
-    const double sine = std::abs(direction.x * along.y - direction.y * along.x);
-    const double cosine = std::abs(direction.x * along.x + direction.y * along.y);
-    return std::max(std::atan2(sine, cosine), std::numeric_limits<double>::min());
+    constexpr double rounding = 1e-9;
+    const bool bendsByArc =
+        std::abs(wall.curvature) * wall.line.length() <= 2 * (1 + rounding);  // not if NaN
+    if (!bendsByArc) fail("bends by more than half a circle");
 }
 
 }  // namespace
@@ -88,8 +66,8 @@ LineMap::LineMap(std::vector<Wall> walls) : walls_(std::move(walls)) {
         requireUsable(walls_[i], i);
         // [m] more than what rounding takes from the look-up, even in coordinates of 1e7 m.
         constexpr double margin = 1e-6;
-        entries.emplace_back(boundsOf(walls_[i].line.point1, walls_[i].line.point2, margin),
-                             static_cast<uint32_t>(i));
+        const auto [low, high] = boundsOf(walls_[i]);
+        entries.emplace_back(boxAround(low, high, margin), static_cast<uint32_t>(i));
     }
     index_ = std::make_unique<const Index>(entries);
 }
@@ -123,18 +101,19 @@ std::optional<RayHit> LineMap::castRay(const TPoint2D& origin, const TPoint2D& d
         from = to;
         to = std::min(2 * to, maxRange);
     }
-    if (nearest) nearest->incidence = incidenceOf(walls_[nearest->wall], direction);
+    if (nearest) {
+        nearest->incidence =
+            incidenceOn(walls_[nearest->wall], direction, origin + direction * nearest->range);
+    }
     return nearest;
 }
 
 std::optional<NearestWall> LineMap::nearestWall(const TPoint2D& point, double maxDistance,
                                                 double z) const {
-    const TPoint2D margin(maxDistance, maxDistance);
     std::optional<NearestWall> nearest;
-    const Box around = boundsOf(point - margin, point + margin);
-    index_->forEachNear(around, [&](uint32_t wall) {
+    index_->forEachNear(boxAround(point, point, maxDistance), [&](uint32_t wall) {
         if (!walls_[wall].height.contains(z)) return;
-        const double distance = walls_[wall].line.distance(point);
+        const double distance = distanceTo(walls_[wall], point);
         if (distance > maxDistance) return;
         if (!nearest || distance < nearest->distance ||
             (distance == nearest->distance && wall < nearest->wall)) {
@@ -149,9 +128,8 @@ bool LineMap::hasWallWithin(const TPoint2D& point, double maxDistance) const {
     bool found = false;
     for (double reach = std::min(1.0, maxDistance); !found;
          reach = std::min(4 * reach, maxDistance)) {
-        const TPoint2D margin(reach, reach);
-        index_->forEachNear(boundsOf(point - margin, point + margin), [&](uint32_t wall) {
-            found = found || walls_[wall].line.distance(point) <= maxDistance;
+        index_->forEachNear(boxAround(point, point, reach), [&](uint32_t wall) {
+            found = found || distanceTo(walls_[wall], point) <= maxDistance;
         });
         if (reach >= maxDistance) break;
     }

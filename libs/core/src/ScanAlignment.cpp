@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/core/ScanAlignment.h>
 #include <offmap/core/WallGate.h>
+#include <offmap/core/WallGeometry.h>
 #include <offmap/core/WallInformation.h>
 
 #include <Eigen/Cholesky>
@@ -25,13 +26,6 @@ constexpr double modelError = 0.01;
 
 /// How much of the prior's uncertainty is left in each iteration.
 constexpr std::array<double, 10> shares = {1, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0, 0, 0};
-
-/// [0, 1] of the way from the wall's first end to its second.
-double shareAlong(const Wall& wall, const TPoint2D& place) {
-    const TPoint2D along = wall.line.point2 - wall.line.point1;
-    const TPoint2D from = place - wall.line.point1;
-    return std::clamp((from.x * along.x + from.y * along.y) / along.sqrNorm(), 0.0, 1.0);
-}
 
 /// Geman and McClure's: a sight far off hardly pulls at all, however far.
 double robustWeight(double distance, double variance) {
@@ -79,7 +73,7 @@ NormalEquations Aligner::look(const PoseCorrection& at, double priorShare) const
         const auto near = map_.nearestWall(place, widestLook, sight.heightInMap);
         if (!near) continue;
         const Wall& wall = map_.walls()[near->wall];
-        const TPoint2D normal = normalAwayFrom(sight.beam, wall);
+        const TPoint2D normal = normalAwayFrom(sight.beam, wall, place);
         const Vector5 gradient = at.gradient(sight.place, sight.middle(), normal);
         const double noise = varianceOfSight(sight, normal, config_) + modelError * modelError;
         const double own = noise + wall.sigma * wall.sigma;

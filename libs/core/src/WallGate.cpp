@@ -42,16 +42,6 @@ void explainKept(const WallSight& sight, const PoseCorrection& correction, const
 
 }  // namespace
 
-TPoint2D normalAwayFrom(const TPoint2D& beam, const Wall& wall) {
-    const TPoint2D along = wall.line.point2 - wall.line.point1;
-    const TPoint2D normal = TPoint2D(-along.y, along.x) * (1 / along.norm());
-    return dot(normal, beam) < 0 ? normal * -1.0 : normal;
-}
-
-double distanceBehind(const TPoint2D& place, const Wall& wall, const TPoint2D& normal) {
-    return dot(normal, place - wall.line.point1);
-}
-
 double varianceOfSight(const WallSight& sight, const TPoint2D& normal,
                        const AlignmentConfig& config) {
     const double along = config.sigmaRange * dot(normal, sight.beam);
@@ -60,13 +50,13 @@ double varianceOfSight(const WallSight& sight, const TPoint2D& normal,
 
 WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction, const ColumnPlace& column,
                       const SeenPoint& point, const TPoint2D& beam, double noise) {
-    const TPoint2D normal = normalAwayFrom(beam, wall);
     const TPoint2D place = correction.apply(column, point);
+    const TPoint2D normal = normalAwayFrom(beam, wall, place);
     const Vector5 gradient = correction.gradient(column, point, normal);
     const double across = dot(normal, beam);
     const double variance = gradient.dot(correction.covariance * gradient) +
                             wall.sigma * wall.sigma + across * across * noise;
-    return {distanceBehind(place, wall, normal), wall.line.distance(place), std::sqrt(variance)};
+    return {distanceBehind(place, wall, normal), distanceTo(wall, place), std::sqrt(variance)};
 }
 
 SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
@@ -84,8 +74,8 @@ SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
             offsetFrom(wall, correction, sight.place, sight.middle(), sight.beam, noise);
         const double gate = config.alignment.gate;
         match.residual = offset.sigma > 0 ? offset.behind / offset.sigma : 0;
-        match.predicted =
-            predictedBy(offset, measured, dot(normalAwayFrom(sight.beam, wall), sight.beam), gate);
+        match.predicted = predictedBy(
+            offset, measured, dot(normalAwayFrom(sight.beam, wall, place), sight.beam), gate);
         if (offset.distance <= gate * offset.sigma) {
             match.verdict = Verdict::MappedByRay;
             match.reason = KeepReason::None;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <offmap/core/Interval.h>
+#include <offmap/core/Wall.h>
 
 #include <mrpt/math/TPoint2D.h>
-#include <mrpt/math/TSegment2D.h>
 
 #include <cstdint>
 #include <memory>
@@ -12,14 +11,6 @@
 #include <vector>
 
 namespace offmap::core {
-
-/// A straight piece of a surface that a range sensor sees, in top view.
-struct Wall {
-    mrpt::math::TSegment2D line;  ///< [m] map frame
-    double sigma = 0.03;          ///< [m] standard deviation of its position
-    Interval height =
-        Interval::everything();  ///< [m] z in the map frame that it reaches from and to
-};
 
 /// Where a ray met the map.
 struct RayHit {
@@ -34,11 +25,12 @@ struct NearestWall {
     uint32_t wall;    ///< index into LineMap::walls()
 };
 
-/// The 2D map: wall lines behind a spatial index. Immutable, so one map may serve many threads.
+/// The 2D map: walls behind a spatial index. Immutable, so one map may serve many threads.
 class LineMap {
  public:
     /// \throw std::invalid_argument naming the wall if an end point or sigma is not finite, if
-    /// sigma < 0, or if a wall has no length. An empty map is allowed.
+    /// sigma < 0, or if a wall has no length or bends by more than half a circle. An empty map is
+    /// allowed.
     explicit LineMap(std::vector<Wall> walls);
     LineMap(LineMap&&) noexcept;
     LineMap& operator=(LineMap&&) noexcept;

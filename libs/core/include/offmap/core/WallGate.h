@@ -5,18 +5,12 @@
 #include <offmap/core/PoseCorrection.h>
 #include <offmap/core/ReductionConfig.h>
 #include <offmap/core/ReductionResult.h>
+#include <offmap/core/WallGeometry.h>
 #include <offmap/core/WallSight.h>
 
 #include <mrpt/math/TPoint2D.h>
 
 namespace offmap::core {
-
-/// Unit normal of a wall that points the way the beam goes. \param beam map axes
-mrpt::math::TPoint2D normalAwayFrom(const mrpt::math::TPoint2D& beam, const Wall& wall);
-
-/// [m] From the wall's line, along that normal: negative in front of it.
-double distanceBehind(const mrpt::math::TPoint2D& place, const Wall& wall,
-                      const mrpt::math::TPoint2D& normal);
 
 /// [m^2] Variance across a wall of a sight's middle, by the noise of its ranges.
 double varianceOfSight(const WallSight& sight, const mrpt::math::TPoint2D& normal,
