@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SummaryText.h"
 
+#include <offmap/core/WallGeometry.h>
 #include <offmap/rawlog/GroupedDigits.h>
 
 #include <fmt/format.h>
@@ -84,7 +85,7 @@ std::string skippedText(const ReductionTotals& totals) {
 
 std::string describe(const core::LineMap& map, const std::string& name) {
     double length = 0;
-    for (const core::Wall& wall : map.walls()) length += wall.line.length();
+    for (const core::Wall& wall : map.walls()) length += lengthOf(wall);
     return fmt::format("{}: {} walls, {:.1f} m", name, grouped(map.walls().size()), length);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/WallGeometry.h>
 #include <offmap/view/Scene.h>
 
 #include <mrpt/opengl/CArrow.h>
@@ -8,6 +9,7 @@
 #include <mrpt/opengl/CSphere.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace offmap::view {
 namespace {
@@ -36,27 +38,36 @@ CSetOfObjects::Ptr cloudsOf(const PlacedReturns& returns, const SceneOptions& op
     return clouds;
 }
 
-bool comesNear(const mrpt::math::TSegment2D& line, const TBoundingBox& extent) {
+bool comesNear(const core::Wall& wall, const TBoundingBox& extent) {
     const double margin = 0.25 * std::max(extent.max.x - extent.min.x, extent.max.y - extent.min.y);
-    const auto [x1, x2] = std::minmax(line.point1.x, line.point2.x);
-    const auto [y1, y2] = std::minmax(line.point1.y, line.point2.y);
-    return x1 <= extent.max.x + margin && extent.min.x - margin <= x2 &&
-           y1 <= extent.max.y + margin && extent.min.y - margin <= y2;
+    const auto [low, high] = core::boundsOf(wall);
+    return low.x <= extent.max.x + margin && extent.min.x - margin <= high.x &&
+           low.y <= extent.max.y + margin && extent.min.y - margin <= high.y;
+}
+
+/// How many straight pieces look like the wall.
+int piecesOf(const core::Wall& wall) {
+    constexpr double angle = 0.1;  // [rad] of a piece that looks straight
+    return std::max(1, static_cast<int>(std::abs(wall.curvature) * core::lengthOf(wall) / angle));
 }
 
 void addWall(const core::Wall& wall, const TBoundingBox& extent, mrpt::opengl::CSetOfLines& lines,
              mrpt::opengl::CSetOfTriangles& surfaces) {
     const double low = std::max(wall.height.min(), extent.min.z);
     const double high = std::max(low, std::min(wall.height.max(), extent.max.z));
-    const auto& [a, b] = wall.line;
-    const TPoint3D aLow{a.x, a.y, low}, bLow{b.x, b.y, low};
-    const TPoint3D aHigh{a.x, a.y, high}, bHigh{b.x, b.y, high};
-    lines.appendLine(aLow, bLow);
-    lines.appendLine(aHigh, bHigh);
-    lines.appendLine(aLow, aHigh);
-    lines.appendLine(bLow, bHigh);
-    surfaces.insertTriangle(mrpt::opengl::TTriangle(aLow, bLow, bHigh));
-    surfaces.insertTriangle(mrpt::opengl::TTriangle(aLow, bHigh, aHigh));
+    const auto at = [](const mrpt::math::TPoint2D& p, double z) { return TPoint3D{p.x, p.y, z}; };
+    const int pieces = piecesOf(wall);
+    mrpt::math::TPoint2D a = wall.line.point1;
+    lines.appendLine(at(a, low), at(a, high));
+    for (int i = 1; i <= pieces; ++i) {
+        const auto b = i == pieces ? wall.line.point2 : core::placeAt(wall, double(i) / pieces);
+        lines.appendLine(at(a, low), at(b, low));
+        lines.appendLine(at(a, high), at(b, high));
+        surfaces.insertTriangle(mrpt::opengl::TTriangle(at(a, low), at(b, low), at(b, high)));
+        surfaces.insertTriangle(mrpt::opengl::TTriangle(at(a, low), at(b, high), at(a, high)));
+        a = b;
+    }
+    lines.appendLine(at(a, low), at(a, high));
 }
 
 CSetOfObjects::Ptr wallsOf(const core::LineMap& map, const TBoundingBox& extent,
@@ -64,7 +75,7 @@ CSetOfObjects::Ptr wallsOf(const core::LineMap& map, const TBoundingBox& extent,
     auto lines = mrpt::opengl::CSetOfLines::Create();
     auto surfaces = mrpt::opengl::CSetOfTriangles::Create();
     for (const core::Wall& wall : map.walls())
-        if (comesNear(wall.line, extent)) addWall(wall, extent, *lines, *surfaces);
+        if (comesNear(wall, extent)) addWall(wall, extent, *lines, *surfaces);
     lines->setColor_u8(options.palette.wall);
     lines->setLineWidth(options.wallLineWidth);
     surfaces->setColor_u8(options.palette.wall);
