@@ -79,7 +79,8 @@ TEST(TextMap, localeWithDecimalCommaChangesNothing) {
 TEST(TextMap, badNumberIsNamedWithItsPlaceAndTheForm) {
     EXPECT_EQ(errorOf("0 0 1 0\n\n0 0 1O 0\n"),
               "plan.lines:3: x2 is '1O', not a number; "
-              "a wall is: x1 y1 x2 y2 [sigma [z_min z_max]], in metres");
+              "a wall is: x1 y1 x2 y2 [sigma [z_min z_max]], or: "
+              "arc cx cy r start_deg end_deg [sigma [z_min z_max]], in metres");
     for (const char* const bad : {"+", "-", "+-1", "1.2.3", "0x10", "1e", "1;", "++1"})
         EXPECT_THAT(errorOf(std::string("0 0 0 ") + bad), HasSubstr("plan.lines:1: y2 is '"))
             << bad;

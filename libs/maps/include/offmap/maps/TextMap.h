@@ -11,7 +11,9 @@
 
 namespace offmap::maps {
 
-/// Reads a text map: one wall a line, `x1 y1 x2 y2 [sigma [z_min z_max]]` in metres, map frame.
+/// Reads a text map: one wall a line, `x1 y1 x2 y2 [sigma [z_min z_max]]` in metres, map frame, or
+/// `arc cx cy r start_deg end_deg [sigma [z_min z_max]]`, counter-clockwise from start to end; an
+/// arc becomes several walls, each at most a quarter of the circle.
 /// `#` starts a comment, blank lines are skipped; numbers have a decimal point whatever the locale.
 /// \param defaultSigma [m] of walls that do not tell theirs
 /// \throw std::runtime_error naming file, line, what stands there and what should: if the file
