@@ -20,18 +20,15 @@ TVector3D beam(double azimuth, double elevation) {
             std::sin(elevation)};
 }
 
-/// Fires single beams from one place.
+/// Fires single beams.
 class Beams {
  public:
-    Beams(const World& world, const Scanner& scanner, const mrpt::poses::CPose3D& sensorInMap,
-          const ScannerNoise& noise, uint64_t seed)
-        : world_(world),
-          scanner_(scanner),
-          sensorInMap_(sensorInMap),
-          noise_(noise),
-          random_(seed) {
+    Beams(const World& world, const Scanner& scanner, const ScannerNoise& noise, uint64_t seed)
+        : world_(world), scanner_(scanner), noise_(noise), random_(seed) {
         for (uint32_t id = 0; id < world.surfaces().size(); ++id) truths_.push_back(truthOf(id));
     }
+
+    void fireFrom(const mrpt::poses::CPose3D& sensorInMap) { sensorInMap_ = sensorInMap; }
 
     /// Adds the return, if there is one. The beam leaves off its direction by the noise of the
     /// angles; its point is put where the beam should have gone.
@@ -60,41 +57,48 @@ class Beams {
 
     const World& world_;
     const Scanner& scanner_;
-    const mrpt::poses::CPose3D& sensorInMap_;
     const ScannerNoise& noise_;
+    mrpt::poses::CPose3D sensorInMap_;
     GaussianNoise random_;
     std::vector<PointTruth> truths_;  ///< one per surface
 };
 
-mrpt::Clock::time_point timeOf(const Scanner& scanner, size_t column) {
+mrpt::Clock::duration timeOf(const Scanner& scanner, size_t column) {
     const double share = static_cast<double>(column) / static_cast<double>(scanner.azimuths.size());
     const std::chrono::duration<double> sinceStart(share * scanner.turnDuration);
-    return mrpt::Clock::time_point{} +
-           std::chrono::duration_cast<mrpt::Clock::duration>(sinceStart);
+    return std::chrono::duration_cast<mrpt::Clock::duration>(sinceStart);
 }
 
 }  // namespace
 
 SimulatedScan simulate(const World& world, const Scanner& scanner, const core::SensorPose& sensor,
                        const ScannerNoise& noise, uint64_t seed) {
+    return simulateMoving(
+        world, scanner, [&sensor](double /*seconds*/) { return sensor; }, noise, seed);
+}
+
+SimulatedScan simulateMoving(const World& world, const Scanner& scanner, const Trajectory& sensor,
+                             const ScannerNoise& noise, uint64_t seed) {
     if (!(noise.range >= 0 && noise.angle >= 0)) {
         throw std::invalid_argument("the standard deviations of the noise must be >= 0");
     }
-    Beams beams(world, scanner, sensor.sensorInMap, noise, seed);
+    Beams beams(world, scanner, noise, seed);
     SimulatedScan result;
     uint32_t beamIndex = 0;
     for (size_t c = 0; c < scanner.azimuths.size(); ++c) {
         core::ScanColumn column;
+        const mrpt::Clock::duration late = timeOf(scanner, c);
+        column.time = mrpt::Clock::time_point{} + late;
+        column.sensor = sensor(std::chrono::duration<double>(late).count());
+        beams.fireFrom(column.sensor->sensorInMap);
         column.begin = static_cast<uint32_t>(result.scan.points.size());
         for (size_t ring = 0; ring < scanner.elevations.size(); ++ring) {
             beams.fire(beamAngles(scanner, c, ring), beamIndex++, result);
         }
         column.end = static_cast<uint32_t>(result.scan.points.size());
         column.azimuth = static_cast<float>(scanner.azimuths[c]);
-        column.time = timeOf(scanner, c);
         result.scan.columns.push_back(std::move(column));
     }
-    setSensor(result.scan, sensor);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <offmap/core/SensorPose.h>
 #include <offmap/evaluation/GaussianNoise.h>
 #include <offmap/evaluation/Scanner.h>
+#include <offmap/evaluation/Trajectory.h>
 #include <offmap/evaluation/World.h>
 
 #include <cstdint>
@@ -38,6 +39,12 @@ struct SimulatedScan {
 /// \throw std::invalid_argument if a standard deviation is negative
 SimulatedScan simulate(const World& world, const Scanner& scanner, const core::SensorPose& sensor,
                        const ScannerNoise& noise, uint64_t seed);
+
+/// One turn of a scanner on the move; column by column it stands where the trajectory says. The
+/// columns carry that as their pose.
+/// \throw std::invalid_argument if a standard deviation is negative
+SimulatedScan simulateMoving(const World& world, const Scanner& scanner, const Trajectory& sensor,
+                             const ScannerNoise& noise, uint64_t seed);
 
 /// Gives every column this pose.
 void setSensor(core::OrganizedScan& scan, const core::SensorPose& sensor);
