@@ -4,6 +4,7 @@
 #include "InfoCommand.h"
 #include "ReduceCommand.h"
 #include "RenderCommand.h"
+#include "ScoreCommand.h"
 #include "UsageError.h"
 
 #include <CLI/CLI.hpp>
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
     addReduceCommand(app, exitCode);
     addRenderCommand(app, exitCode);
     addInfoCommand(app, exitCode);
+    addScoreCommand(app, exitCode);
     return reportingErrors([&] {
         try {
             app.parse(argc, argv);

@@ -22,7 +22,9 @@ using Bits = std::array<uint32_t, 3>;
 
 SensorConfig config() {
     SensorConfig config;
-    config.elevations = test::rotatingElevations();  // only a rotating scan looks at them
+    for (const double degrees : test::rotatingElevations()) {  // only a rotating scan looks at them
+        config.elevations.push_back(mrpt::DEG2RAD(degrees));
+    }
     return config;
 }
 
