@@ -35,6 +35,14 @@ std::vector<TPoint2D> anywhereInMap(const std::vector<TPoint2D>& corners, Unifor
     return moved;
 }
 
+/// Walls are bright, objects anything.
+void paint(World& world, UniformNumbers& random) {
+    for (uint32_t id = 0; id < world.surfaces().size(); ++id) {
+        const bool isObject = world.surfaces()[id].kind == SurfaceKind::Object;
+        world.setReflectivity(id, random.between(isObject ? 0.1 : 0.5, 0.9));
+    }
+}
+
 Scene furnished(const std::vector<TPoint2D>& corners, const std::vector<Doorway>& doorways,
                 const SceneOptions& options, UniformNumbers& random) {
     const double height = random.between(2.4, 3.2);
@@ -45,7 +53,9 @@ Scene furnished(const std::vector<TPoint2D>& corners, const std::vector<Doorway>
         plan.putBeforeWall(options.standOffs[random.below(options.standOffs.size())], random);
     }
     for (size_t i = 0; i < open; ++i) plan.putInTheOpen(random);
-    return {plan.world(), sensor};
+    Scene scene{plan.world(), sensor};
+    paint(scene.world, random);
+    return scene;
 }
 
 /// \param length [m] of the wall

@@ -51,6 +51,13 @@ uint32_t World::addFloor(double z) { return add({SurfaceKind::Floor, std::nullop
 
 uint32_t World::addCeiling(double z) { return add({SurfaceKind::Ceiling, std::nullopt, Plane{z}}); }
 
+void World::setReflectivity(uint32_t surface, double reflectivity) {
+    if (!(reflectivity >= 0 && reflectivity <= 1)) {
+        throw std::invalid_argument("the reflectivity of a surface must be in [0, 1]");
+    }
+    surfaces_.at(surface).reflectivity = reflectivity;
+}
+
 std::optional<WorldHit> World::castRay(const mrpt::math::TPoint3D& origin,
                                        const mrpt::math::TVector3D& direction,
                                        double maxRange) const {

@@ -24,7 +24,8 @@ struct SceneOptions {
 // any way in the map. 2 to 4 persons, upright or leaning back to the wall, and boxes stand before
 // walls, and 1 or 2 in the open, further than 0.55 m from any wall. The sensor stands 0.5 to 1.2 m
 // high, at least 0.6 m from every wall and 1 m from the middle of every object. Open doors are
-// closed on the map; their leaves and the small rooms behind are unmapped walls.
+// closed on the map; their leaves and the small rooms behind are unmapped walls. Objects have any
+// reflectivity from 0.1 to 0.9, the rest from 0.5.
 // Each throws std::invalid_argument if there is no stand-off, or one outside (0, 0.5] m.
 
 /// 5 to 12 m x 4 to 9 m; every other one with an open door.

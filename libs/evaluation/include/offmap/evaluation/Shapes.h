@@ -52,4 +52,10 @@ std::optional<double> meet(const Ray& ray, const Plane& plane);
 std::optional<double> meet(const Ray& ray, const Cylinder& cylinder);
 std::optional<double> meet(const Ray& ray, const Box& box);
 
+/// The unit normal of a shape at a point of its surface, to either side. [m]
+mrpt::math::TVector3D normalAt(const Panel& panel, const mrpt::math::TPoint3D& point);
+mrpt::math::TVector3D normalAt(const Plane& plane, const mrpt::math::TPoint3D& point);
+mrpt::math::TVector3D normalAt(const Cylinder& cylinder, const mrpt::math::TPoint3D& point);
+mrpt::math::TVector3D normalAt(const Box& box, const mrpt::math::TPoint3D& point);
+
 }  // namespace offmap::evaluation

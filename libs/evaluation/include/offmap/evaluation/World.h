@@ -18,6 +18,7 @@ struct Surface {
     SurfaceKind kind;
     std::optional<uint32_t> wall;  ///< index into the map of the wall that shows it
     std::variant<Panel, Plane, Cylinder, Box> shape;
+    double reflectivity = 0.5;  ///< share of the light that it sends back when met squarely
 
     bool mapped() const { return wall.has_value(); }
 };
@@ -46,6 +47,10 @@ class World {
     uint32_t addMappedPanel(const Panel& panel) {
         return addPanel(panel, addToMap({.line = panel.line}));
     }
+
+    /// \throw std::invalid_argument unless in [0, 1] \throw std::out_of_range if there is no such
+    /// surface
+    void setReflectivity(uint32_t surface, double reflectivity);
 
     const std::vector<Surface>& surfaces() const { return surfaces_; }
 
