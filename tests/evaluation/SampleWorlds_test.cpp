@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/WallGeometry.h>
 #include <offmap/evaluation/SampleWorlds.h>
+#include <offmap/evaluation/StandOff.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace offmap::evaluation {
 
@@ -124,6 +127,78 @@ TEST(Corridor, whatIsNotOnTheMapIsSeen) {
     }
     const auto wall = look(world, sensorInCorridor, {5, 1, 1});
     EXPECT_TRUE(world.surfaces()[wall.value().surface].mapped());
+}
+
+TEST(ParkingLot, warehousesAreOnTheMapAndAllElseIsNot) {
+    const World world = parkingLot();
+    expectMappedPanelsStandOnTheirWall(world);
+    const TPoint3D sensor{0, 0, 1};
+    const auto kindAt = [&](const TPoint3D& at) {
+        return world.surfaces()[look(world, sensor, at).value().surface].kind;
+    };
+    EXPECT_EQ(kindAt({-25, 22, 5}), SurfaceKind::Wall);
+    EXPECT_EQ(kindAt({-6, 12, 0.7}), SurfaceKind::Object);  // a car
+    EXPECT_EQ(kindAt({5, 3, 1}), SurfaceKind::Object);      // a person
+    EXPECT_EQ(kindAt({20, 8, 2}), SurfaceKind::Object);     // the lorry
+    EXPECT_EQ(kindAt({2, -12, 1.0}), SurfaceKind::Object);  // a post of the fence
+    EXPECT_FALSE(look(world, sensor, {30, 0, 10}));         // the sky
+}
+
+TEST(ParkingLot, fenceIsSeenAndSeenThrough) {
+    const World world = parkingLot();
+    size_t fence = 0, behind = 0;
+    for (const TVector3D& direction : allAround()) {
+        if (direction.y > -0.9 || std::abs(direction.z) > 0.05) continue;
+        const auto hit = world.castRay({-22, -10, 1}, direction, 100);
+        if (!hit) continue;
+        // the fence is 2 m away, to the side at most 2 / 0.9; the warehouse 14 m
+        (hit->range < 2.3 ? fence : behind) += 1;
+    }
+    EXPECT_GT(fence, 0u);
+    EXPECT_GT(behind, fence);  // wires of 0.03 m every 0.2 m leave (17 / 20)^2 = 72 % open
+}
+
+TEST(BareCorridor, looksTheSameAllAlong) {
+    const World world = bareCorridor();
+    for (const TVector3D& direction : allAround()) {
+        const auto here = world.castRay({0, 0.2, 0.8}, direction, 100);
+        const auto there = world.castRay({50, 0.2, 0.8}, direction, 100);
+        ASSERT_EQ(here.has_value(), there.has_value());
+        if (!here) continue;
+        // a grazing ray of 100 m: 100 m / 1.4 m times the rounding of coordinates below 200 m
+        EXPECT_NEAR(here->range, there->range, 1e-10);
+    }
+}
+
+TEST(CurvedHall, isClosed) { expectClosed(curvedHall(), {-1, -2, 0.8}, std::hypot(16, 10, 4)); }
+
+TEST(CurvedHall, wallLiesOnTheArc) {
+    const World world = curvedHall();
+    for (const double phi : {0.7, 1.2, 1.9, 2.4}) {
+        const auto hit = world.castRay({0, -6, 2}, {std::cos(phi), std::sin(phi), 0}, 100);
+        // 64 pieces of 1.66 degrees: 10 m * (1 - cos(0.83 deg)) = 1.04 mm inside at most
+        EXPECT_LE(hit.value().range, 10 + 1e-12);
+        EXPECT_GE(hit->range, 10 - 1.05e-3);
+        EXPECT_TRUE(world.surfaces()[hit->surface].mapped());
+    }
+}
+
+TEST(CurvedHall, mapShowsChordsOrTheArc) {
+    EXPECT_EQ(mapOf(curvedHall()).size(), 3u + 8u);
+    const auto bent = mapOf(curvedHall(0));
+    ASSERT_EQ(bent.size(), 4u);
+    // from (8, 0) counter-clockwise over (0, 4) to (-8, 0)
+    EXPECT_NEAR(core::distanceTo(bent[3], {0, 4}), 0, 1e-12);
+    EXPECT_THROW(curvedHall(5), std::invalid_argument);
+}
+
+TEST(CurvedHall, crateStandsBeforeTheArc) {
+    const auto hit = curvedHall().castRay({0, -2, 0.5}, {0, 1, 0}, 10);
+    EXPECT_NEAR(hit.value().range, 5.2, 1e-12);
+    const World world = curvedHall(0);
+    // its corners at (+-0.4, 3.8) are sqrt(0.4^2 + 9.8^2) from the centre; arc in 256 chords:
+    // 10 m * (1 - cos(53.1 deg / 256)) = 0.07 mm
+    EXPECT_NEAR(standOffOf(world, hit->surface).value(), 10 - std::hypot(0.4, 9.8), 1e-4);
 }
 
 }  // namespace offmap::evaluation

@@ -57,6 +57,16 @@ TEST(PanelShape, behindOrParallelIsNotMet) {
     EXPECT_FALSE(meet(ray({0, 0, 1}, {0, 0, 1}), panel));
 }
 
+TEST(MeshShape, isMetAtItsWiresAlone) {
+    // openings of 0.2 m from (3, 1) towards smaller y, wires 0.03 m broad, from z = 0 on
+    const Mesh mesh{panel, 0.2, 0.03};
+    EXPECT_EQ(meet(ray({0, 0.99, 0.1}, {1, 0, 0}), mesh), 3.0);  // on the first post
+    EXPECT_EQ(meet(ray({0, 0.79, 0.1}, {1, 0, 0}), mesh), 3.0);  // on the next
+    EXPECT_FALSE(meet(ray({0, 0.9, 0.1}, {1, 0, 0}), mesh));     // between
+    EXPECT_EQ(meet(ray({0, 0.9, 0.41}, {1, 0, 0}), mesh), 3.0);  // on a wire across
+    EXPECT_FALSE(meet(ray({0, 1.01, 0.41}, {1, 0, 0}), mesh));   // beside the fence
+}
+
 TEST(PlaneShape, isMetFromBothSides) {
     EXPECT_NEAR(meet(ray({0, 0, 1}, {1, 0, -1}), Plane{0}).value(), sqrt2, rounding);
     EXPECT_NEAR(meet(ray({0, 0, -1}, {1, 0, 1}), Plane{0}).value(), sqrt2, rounding);

@@ -52,6 +52,14 @@ TEST(StandOffOf, isThatOfTheNearestWallOfTheMap) {
     EXPECT_NEAR(standOffOf(world, box).value(), 0.7, rounding);
 }
 
+TEST(StandOffOf, bentWallIsMeasuredOnItsArc) {
+    World world;  // half a circle of 1 m radius around the origin, to the left of its chord
+    world.addToMap({.line = {{0, -1}, {0, 1}}, .curvature = 1});
+    const uint32_t inside = world.addObject(Cylinder{{0.6, 0}, 0.1, {0, 1}});
+    // chords of a 256th of half a circle are off by 1 - cos(pi / 512)
+    EXPECT_NEAR(standOffOf(world, inside).value(), 0.3, 2e-5);
+}
+
 TEST(StandOffOf, onlyObjectsBeforeAMapHaveOne) {
     World world;
     const uint32_t object = world.addObject(Cylinder{{0, 1}, 0.2, {0, 1}});

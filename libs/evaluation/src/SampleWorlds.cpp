@@ -91,4 +91,14 @@ World corridor() {
     return world;
 }
 
+World bareCorridor() {
+    constexpr double height = 2.5;
+    World world;
+    world.addFloor();
+    world.addCeiling(height);
+    addWalls(world, {{-200, -1.2}, {200, -1.2}}, height, true);
+    addWalls(world, {{200, 1.2}, {-200, 1.2}}, height, true);
+    return world;
+}
+
 }  // namespace offmap::evaluation

@@ -25,6 +25,8 @@ TVector3D normalAt(const Panel& panel, const TPoint3D& /*point*/) {
     return TVector3D(-along.y, along.x, 0) * (1 / along.norm());
 }
 
+TVector3D normalAt(const Mesh& mesh, const TPoint3D& point) { return normalAt(mesh.panel, point); }
+
 TVector3D normalAt(const Plane& /*plane*/, const TPoint3D& /*point*/) { return upwards; }
 
 TVector3D normalAt(const Cylinder& cylinder, const TPoint3D& point) {

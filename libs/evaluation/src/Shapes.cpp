@@ -59,6 +59,17 @@ std::optional<double> meet(const Ray& ray, const Panel& panel) {
     return range;
 }
 
+std::optional<double> meet(const Ray& ray, const Mesh& mesh) {
+    const std::optional<double> range = meet(ray, mesh.panel);
+    if (!range) return std::nullopt;
+    const auto point = ray.origin + ray.direction * *range;
+    const double along = (TPoint2D(point.x, point.y) - mesh.panel.line.point1).norm();
+    const double up = point.z - mesh.panel.height.min();
+    const bool onWire =
+        std::fmod(along, mesh.pitch) < mesh.wire || std::fmod(up, mesh.pitch) < mesh.wire;
+    return onWire ? range : std::nullopt;
+}
+
 std::optional<double> meet(const Ray& ray, const Plane& plane) {
     if (ray.direction.z == 0) return std::nullopt;
     const double range = (plane.z - ray.origin.z) / ray.direction.z;

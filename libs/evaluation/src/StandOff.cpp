@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/WallGeometry.h>
 #include <offmap/evaluation/StandOff.h>
 
 #include <boost/geometry.hpp>
 #include <mrpt/poses/CPose2D.h>
 
 #include <algorithm>
-#include <limits>
+#include <vector>
 
 namespace offmap::evaluation {
 
@@ -20,6 +21,18 @@ using Segment = bg::model::segment<Point>;
 Point boosted(const TPoint2D& point) { return {point.x, point.y}; }
 Segment boosted(const TSegment2D& line) { return {boosted(line.point1), boosted(line.point2)}; }
 
+/// What stands for a wall: its line, or many chords of its arc.
+std::vector<TSegment2D> chordsOf(const core::Wall& wall) {
+    if (wall.curvature == 0) return {wall.line};
+    constexpr int count = 256;  // off by 0.4 mm at most, on half a circle of 10 m radius
+    std::vector<TSegment2D> chords;
+    for (int i = 0; i < count; ++i) {
+        chords.emplace_back(core::placeAt(wall, double(i) / count),
+                            core::placeAt(wall, double(i + 1) / count));
+    }
+    return chords;
+}
+
 /// A plane reaches everywhere.
 double gap(const Plane& /*plane*/, const TSegment2D& /*line*/) { return 0; }
 
@@ -28,6 +41,8 @@ double gap(const Plane& /*plane*/, const TSegment2D& /*line*/) { return 0; }
 double gap(const Panel& panel, const TSegment2D& line) {
     return bg::distance(boosted(panel.line), boosted(line));
 }
+
+double gap(const Mesh& mesh, const TSegment2D& line) { return gap(mesh.panel, line); }
 
 double gap(const Cylinder& cylinder, const TSegment2D& line) {
     const TPoint2D top = cylinder.centre + cylinder.lean * cylinder.height.width();
@@ -51,9 +66,11 @@ std::optional<double> standOffOf(const World& world, uint32_t surface) {
     if (asked.kind != SurfaceKind::Object) return std::nullopt;
     std::optional<double> nearest;
     for (const core::Wall& wall : mapOf(world)) {
-        const double distance =
-            std::visit([&](const auto& shape) { return gap(shape, wall.line); }, asked.shape);
-        if (!nearest || distance < *nearest) nearest = distance;
+        for (const TSegment2D& chord : chordsOf(wall)) {
+            const double distance =
+                std::visit([&](const auto& shape) { return gap(shape, chord); }, asked.shape);
+            nearest = std::min(distance, nearest.value_or(distance));
+        }
     }
     return nearest;
 }

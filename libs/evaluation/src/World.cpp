@@ -37,6 +37,13 @@ uint32_t World::addObject(const Panel& panel) {
     return add({SurfaceKind::Object, std::nullopt, panel});
 }
 
+uint32_t World::addObject(const Mesh& mesh) {
+    requireExtent(mesh.panel.line.length() > 0 && mesh.panel.height.width() > 0 && mesh.pitch > 0 &&
+                      mesh.wire > 0,
+                  "mesh");
+    return add({SurfaceKind::Object, std::nullopt, mesh});
+}
+
 uint32_t World::addObject(const Cylinder& cylinder) {
     requireExtent(cylinder.radius > 0 && cylinder.height.width() > 0, "cylinder");
     return add({SurfaceKind::Object, std::nullopt, cylinder});

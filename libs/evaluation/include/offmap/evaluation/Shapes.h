@@ -24,6 +24,13 @@ struct Panel {
     core::Interval height;        ///< [m] z
 };
 
+/// A wire fence with square openings: beams meet its wires or nothing.
+struct Mesh {
+    Panel panel;
+    double pitch;  ///< [m] from wire to wire, along and upwards, from point1 and the lower edge on
+    double wire;   ///< [m] how broad a wire is
+};
+
 /// A horizontal plane without end, seen from both sides.
 struct Plane {
     double z;  ///< [m]
@@ -48,12 +55,14 @@ struct Box {
 /// Distance from the ray's origin to where it first meets the shape from outside, if it does. A ray
 /// that lies in a panel or plane does not meet it. [m]
 std::optional<double> meet(const Ray& ray, const Panel& panel);
+std::optional<double> meet(const Ray& ray, const Mesh& mesh);
 std::optional<double> meet(const Ray& ray, const Plane& plane);
 std::optional<double> meet(const Ray& ray, const Cylinder& cylinder);
 std::optional<double> meet(const Ray& ray, const Box& box);
 
 /// The unit normal of a shape at a point of its surface, to either side. [m]
 mrpt::math::TVector3D normalAt(const Panel& panel, const mrpt::math::TPoint3D& point);
+mrpt::math::TVector3D normalAt(const Mesh& mesh, const mrpt::math::TPoint3D& point);
 mrpt::math::TVector3D normalAt(const Plane& plane, const mrpt::math::TPoint3D& point);
 mrpt::math::TVector3D normalAt(const Cylinder& cylinder, const mrpt::math::TPoint3D& point);
 mrpt::math::TVector3D normalAt(const Box& box, const mrpt::math::TPoint3D& point);

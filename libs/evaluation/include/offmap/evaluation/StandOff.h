@@ -10,6 +10,7 @@ namespace offmap::evaluation {
 
 /// Distance in top view between the outline of a shape and a line; 0 where they meet. [m]
 double gap(const Panel& panel, const mrpt::math::TSegment2D& line);
+double gap(const Mesh& mesh, const mrpt::math::TSegment2D& line);
 double gap(const Cylinder& cylinder, const mrpt::math::TSegment2D& line);
 double gap(const Box& box, const mrpt::math::TSegment2D& line);
 

@@ -17,7 +17,7 @@ enum class SurfaceKind : uint8_t { Wall, Floor, Ceiling, Object };
 struct Surface {
     SurfaceKind kind;
     std::optional<uint32_t> wall;  ///< index into the map of the wall that shows it
-    std::variant<Panel, Plane, Cylinder, Box> shape;
+    std::variant<Panel, Mesh, Plane, Cylinder, Box> shape;
     double reflectivity = 0.5;  ///< share of the light that it sends back when met squarely
 
     bool mapped() const { return wall.has_value(); }
@@ -38,6 +38,7 @@ class World {
     /// \throw std::invalid_argument for a shape without extent
     uint32_t addPanel(const Panel& panel, std::optional<uint32_t> wallInMap = {});
     uint32_t addObject(const Panel& panel);
+    uint32_t addObject(const Mesh& mesh);
     uint32_t addObject(const Cylinder& cylinder);
     uint32_t addObject(const Box& box);
     uint32_t addFloor(double z = 0);
