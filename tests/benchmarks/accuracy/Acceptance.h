@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Studies.h"
+
+#include <string>
+#include <vector>
+
+namespace offmap::accuracy {
+
+/// A figure that must not be above, or not be below, a limit.
+struct Bound {
+    std::string what;
+    double measured;
+    double limit;
+    bool atMost;
+    std::string unit;  ///< with a leading space
+
+    bool met() const { return atMost ? measured <= limit : measured >= limit; }
+};
+
+/// What is demanded of the methods, by their published figures. With few scans the limits are
+/// looser, see Slack.
+std::vector<Bound> boundsOf(const Studies& studies, const Extent& extent);
+
+}  // namespace offmap::accuracy
