@@ -6,12 +6,22 @@
 #include "ReduceBatch.h"
 #include "ReduceGuarded.h"
 #include "SummaryText.h"
+#include "UsageError.h"
 
 #include <memory>
 
 namespace offmap::app {
 
 namespace {
+
+/// \throw UsageError if poses are to be written that the method does not refine
+void requireRefinedPoses(const ReduceOptions& options, const rawlog::Config& config) {
+    if (!options.writePoses) return;
+    if (config.reduction.matching.method == core::MatchingMethod::Aligned) return;
+    throw UsageError(
+        "--write-poses writes poses that the scans have refined, and only the method aligned does "
+        "that: add --method aligned");
+}
 
 int reduceAlone(const ReduceJob& job, const ReduceFiles& files) {
     const LogOutcome outcome = reduceGuarded(job, {files, ""});
@@ -44,6 +54,7 @@ void addReduceCommand(CLI::App& app, int& exitCode) {
     command.callback([options, &exitCode] {
         const std::vector<ReduceFiles> logs = filesOf(*options);
         const rawlog::Config config = options->shared.readConfig();
+        requireRefinedPoses(*options, config);
         const core::LineMap map = options->shared.readMap(config);
         const ReduceJob job{*options, config, map};
         exitCode =

@@ -32,6 +32,24 @@ void requireSensors(const ReduceOptions& options, const std::filesystem::path& i
     for (const std::string& label : options.sensors) requireScansOf(label, survey, input);
 }
 
+/// \throw UsageError if refined poses would mix with what the log has under their label
+void requireFreeLabel(const ReduceOptions& options, const std::filesystem::path& input,
+                      const rawlog::LogSurvey& survey) {
+    if (!options.writePoses) return;
+    const std::string& label = *options.writePoses;
+    if (label == "actions") {
+        throw UsageError(
+            "refined poses cannot bear the label 'actions', which --pose-label takes for the "
+            "movements of a log; name another one: --write-poses LABEL");
+    }
+    if (survey.poses.contains(label) || survey.sensors.contains(label)) {
+        throw UsageError(
+            fmt::format("{} already holds observations of the label '{}', and refined poses need "
+                        "one of their own: --write-poses LABEL",
+                        input.string(), label));
+    }
+}
+
 void requireScans(const std::filesystem::path& input, const rawlog::LogSurvey& survey) {
     if (survey.holdsScans()) return;
     std::vector<std::string> seen;
@@ -111,10 +129,12 @@ rawlog::ReductionTotals writeOutputs(const ReduceJob& job, const LogToReduce& lo
     const auto outputClass =
         options.outputClass == "points" ? rawlog::OutputClass::Points : rawlog::OutputClass::Same;
     rawlog::TurnReducer reducer(map, poses, config, outputClass);
-    rawlog::LogReduction reduction(
-        survey, reducer, config,
-        {input, {options.sensors.begin(), options.sensors.end()}, options.keepGoing},
-        outputs.reduced(), outputs.removed());
+    rawlog::LogReduction reduction(survey, reducer, config,
+                                   {input,
+                                    {options.sensors.begin(), options.sensors.end()},
+                                    options.keepGoing,
+                                    options.writePoses.value_or("")},
+                                   outputs.reduced(), outputs.removed());
     reduction.onTurn = [&](const rawlog::ReducedTurn& turn) {
         totals.add(turn.record);
         outputs.add(turn, reducer.result());
@@ -144,6 +164,7 @@ ReducedLog reduceLog(const ReduceJob& job, const LogToReduce& log, const Readabl
     ReduceOutputs outputs(log.files, options.force, status);
     const auto [survey, endsBecause] = readFirst(job, log, readable, status);
     requireSensors(options, input, survey);
+    requireFreeLabel(options, input, survey);
     if (!options.keepGoing) requireScans(input, survey);
     const auto sensorWarnings = checkSingleSensors(job.config, survey, input);
     const rawlog::ChosenPoses poses =

@@ -3,6 +3,12 @@
 
 namespace offmap::app {
 
+namespace {
+
+constexpr const char* refined = "OFFMAP_POSE";
+
+}  // namespace
+
 void ReduceOptions::addTo(CLI::App& command) {
     command.add_option("IN", inputs, "Rawlogs to reduce; they are only read")
         ->required()
@@ -26,6 +32,14 @@ void ReduceOptions::addTo(CLI::App& command) {
                     "Class of reduced observations: their own, or CObservationPointCloud")
         ->check(CLI::IsMember({"same", "points"}).description(""))
         ->type_name("same|points");
+    command
+        .add_option_function<std::string>(
+            "--write-poses",
+            [this](const std::string& label) { writePoses = label.empty() ? refined : label; },
+            "Add each scan's refined pose to OUT, as a robot pose of this label (OFFMAP_POSE); "
+            "--method aligned")
+        ->expected(0, 1)
+        ->type_name("[LABEL]");
     command.add_flag("--strict", strict, "Exit with 3 if a scan could not be reduced");
     command.add_flag("--keep-going", keepGoing,
                      "Write what can be read of a damaged log; copy scans without "

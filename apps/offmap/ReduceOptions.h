@@ -4,6 +4,7 @@
 #include "SharedOptions.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct ReduceOptions {
     std::filesystem::path removed, report, segments;  ///< folders where it is; may be empty
     SharedOptions shared;
     std::vector<std::string> sensors;
-    std::string outputClass = "same";  ///< or "points"
+    std::string outputClass = "same";       ///< or "points"
+    std::optional<std::string> writePoses;  ///< label of refined poses; none: not written
     bool strict = false, keepGoing = false, force = false, quiet = false;
 
     void addTo(CLI::App& command);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SummaryText.h"
 
+#include "HealthText.h"
+
 #include <offmap/core/WallGeometry.h>
 #include <offmap/rawlog/GroupedDigits.h>
 
@@ -53,6 +55,7 @@ std::string keptText(const ReductionTotals& totals, uint64_t kept) {
         if (totals.keptByReason[r] == 0) continue;
         reasons.emplace_back(totals.keptByReason[r], inWords(static_cast<core::KeepReason>(r)));
     }
+    if (totals.keptOffWall > 0) reasons.emplace_back(totals.keptOffWall, "off its segment's wall");
     std::stable_sort(reasons.begin(), reasons.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<std::string> parts;
@@ -68,6 +71,19 @@ std::string scansText(const ReductionTotals& totals) {
         parts.push_back(fmt::format("{} {}", grouped(count), inWords(reason)));
     }
     return parts.empty() ? "" : fmt::format("   (kept whole: {})", fmt::join(parts, ", "));
+}
+
+/// "(by ray 90 %, by extension 10 %)"
+std::string removedText(const ReductionTotals& totals) {
+    std::vector<std::string> parts;
+    const auto add = [&](uint64_t count, const char* how) {
+        parts.push_back(fmt::format("{} {:.0f} %", how, percent(count, totals.removed())));
+    };
+    add(totals.removedByRay, "by ray");
+    add(totals.removedByExtension, "by extension");
+    if (totals.removedAsOrphans > 0) add(totals.removedAsOrphans, "orphans");
+    if (totals.removedByPoint > 0) add(totals.removedByPoint, "by point");
+    return fmt::format("({})", fmt::join(parts, ", "));
 }
 
 std::string skippedText(const ReductionTotals& totals) {
@@ -91,27 +107,22 @@ std::string describe(const core::LineMap& map, const std::string& name) {
 
 std::string summaryOf(const ReductionTotals& totals, double wallSeconds) {
     const uint64_t onSegments = totals.onVerticalSegments, removed = totals.removed();
-    const uint64_t kept = onSegments - removed;
+    const uint64_t kept = totals.keptOnSegments();
     std::string out = fmt::format("scans   {:>12}{}\n", grouped(totals.scans), scansText(totals));
     out += fmt::format("points  {:>12}   on vertical segments {} ({:.1f} %){}\n",
                        grouped(totals.counts.returns), grouped(onSegments),
                        percent(onSegments, totals.counts.returns), skippedText(totals));
     out += fmt::format("removed {:>12}   {:.1f} % of those, {:.1f} % of all", grouped(removed),
-                       percent(removed, onSegments), percent(removed, totals.counts.returns));
-    if (removed > 0) {
-        out += fmt::format(
-            "   (by ray {:.0f} %, by extension {:.0f} %{})", percent(totals.removedByRay, removed),
-            percent(totals.removedByExtension, removed),
-            totals.removedAsOrphans == 0
-                ? ""
-                : fmt::format(", orphans {:.0f} %", percent(totals.removedAsOrphans, removed)));
-    }
+                       percent(totals.removedOnSegments(), onSegments),
+                       percent(removed, totals.counts.returns));
+    if (removed > 0) out += "   " + removedText(totals);
     out += fmt::format("\nkept    {:>12}   of those", grouped(kept));
     if (kept > 0) out += ": " + keptText(totals, kept);
     if (totals.columnsWithoutPose > 0) {
         out += fmt::format("\nposes   {:>12}   of {} columns have none that could be used",
                            grouped(totals.columnsWithoutPose), grouped(totals.columns));
     }
+    out += healthText(totals);
     if (const auto median = totals.milliseconds.quantile(0.5)) {
         out += fmt::format("\ntime    {:>9.2f} ms   per scan (median); {:.1f} s in all", *median,
                            wallSeconds);

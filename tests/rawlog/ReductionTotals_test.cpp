@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <type_traits>
 
 namespace offmap::rawlog {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -75,6 +77,8 @@ ReductionTotals someTotals(uint64_t begin, double time) {
     for (uint64_t& count : turn.keptByReason) count = begin++;
     turn.keptByReason[static_cast<size_t>(core::KeepReason::None)] = 0;
     turn.milliseconds = 1;
+    turn.health.fit = core::PoseFit{0.001 * static_cast<double>(begin), -0.02, 0.9, 1, 1};
+    turn.health.suspect = core::Suspicion::PoseContradicted;
     turn.time = mrpt::Clock::fromDouble(time);
     ReductionTotals totals;
     totals.add(turn);
@@ -104,6 +108,33 @@ TEST(ReductionTotals, ofSeveralLogsAreSums) {
     EXPECT_NEAR(both.logSeconds(), 3.0, 1e-6);  // not what lies between the logs
 }
 
+TEST(HealthTotals, countSuspectsAndNameTheFirst) {
+    HealthTotals totals;
+    core::Health bad, good;
+    bad.suspect = core::Suspicion::Biased;
+    for (uint64_t scan = 0; scan < 30; ++scan) totals.add(scan, scan % 2 == 0 ? good : bad, true);
+    EXPECT_EQ(totals.suspectScans(), 15U);
+    EXPECT_EQ(totals.suspectFor(core::Suspicion::Biased), 15U);
+    EXPECT_THAT(totals.firstSuspects, ElementsAre(1, 3, 5, 7, 9, 11, 13, 15, 17, 19));
+    HealthTotals both = totals;
+    both.merge(totals);
+    EXPECT_EQ(both.suspectScans(), 30U);
+    EXPECT_THAT(both.firstSuspects, IsEmpty());
+    EXPECT_EQ(totals.shiftRms(), std::nullopt);
+}
+
+TEST(HealthTotals, correctionIsThatOfScansThatWereReduced) {
+    HealthTotals totals;
+    core::Health health;
+    for (const double shift : {0.03, 0.04, 9.0}) {
+        health.fit = core::PoseFit{shift, -10 * shift, 1, 1, 1};
+        totals.add(0, health, shift < 1);
+    }
+    EXPECT_EQ(totals.corrected, 2U);
+    EXPECT_NEAR(totals.shiftRms().value(), 0.05 / std::sqrt(2), 1e-12);
+    EXPECT_NEAR(totals.turnRms().value(), 0.5 / std::sqrt(2), 1e-12);
+}
+
 TEST(ReductionTotals, areReadBackFromAReport) {
     const ReductionTotals totals = someTotals(1, 100);
     ReductionTotals again = totalsFrom(toJson(totals));
@@ -119,6 +150,18 @@ TEST(ReductionTotals, goodResultGivesNoWarning) {
     EXPECT_THAT(totals.warnings(), IsEmpty());
 }
 
+// An honest covariance is contradicted now and then.
+TEST(ReductionTotals, warnOfMoreThanAFewContradictions) {
+    ReductionTotals totals;
+    TurnRecord contradicted = turnOf(100, 50, 40);
+    contradicted.health.suspect = core::Suspicion::PoseContradicted;
+    totals.add(contradicted);
+    for (int i = 0; i < 99; ++i) totals.add(turnOf(100, 50, 40));
+    EXPECT_THAT(totals.warnings(), IsEmpty());
+    totals.add(contradicted);
+    EXPECT_THAT(totals.warnings(), ElementsAre(HasSubstr("2 of 101 scans")));
+}
+
 TEST(ReductionTotals, warnsOfWhatSmells) {
     const auto warningOf = [](const TurnRecord& turn) {
         ReductionTotals totals;
@@ -128,6 +171,20 @@ TEST(ReductionTotals, warnsOfWhatSmells) {
     EXPECT_THAT(warningOf(turnOf(100, 50, 14)), ElementsAre(HasSubstr("only 28.0 %")));
     EXPECT_THAT(warningOf(turnOf(100, 50, 0)), ElementsAre(HasSubstr("nothing was removed")));
     EXPECT_THAT(warningOf(turnOf(100, 0, 0)), ElementsAre(HasSubstr("no vertical segment")));
+
+    TurnRecord contradicted = turnOf(100, 50, 40);
+    contradicted.health.suspect = core::Suspicion::PoseContradicted;
+    EXPECT_THAT(warningOf(contradicted),
+                ElementsAre(AllOf(HasSubstr("--pose-sigma"), HasSubstr("(scan 0)"))));
+    TurnRecord biased = turnOf(100, 50, 40);
+    biased.health.suspect = core::Suspicion::Biased;
+    EXPECT_THAT(warningOf(biased), ElementsAre(HasSubstr("against the map (scan 0)")));
+    TurnRecord lost = turnOf(100, 50, 0);
+    lost.notReduced = "pose_does_not_fit";
+    lost.health.suspect = core::Suspicion::DoesNotFit;
+    EXPECT_THAT(warningOf(lost), ElementsAre(AllOf(HasSubstr("1 of 1 scans show what fits no"),
+                                                   HasSubstr("--map-origin")),
+                                             HasSubstr("no scan could")));
 
     TurnRecord offMap = turnOf(100, 50, 0);
     offMap.notReduced = "no_wall_in_range";

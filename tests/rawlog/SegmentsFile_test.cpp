@@ -20,7 +20,8 @@ using testing::HasSubstr;
 
 constexpr const char* header =
     "scan,entry,sensor,time_s,column,azimuth_deg,points,z_min_m,z_max_m,tilt_deg,measured_min_m,"
-    "measured_max_m,predicted_min_m,predicted_max_m,residual,verdict,reason,wall\n";
+    "measured_max_m,predicted_min_m,predicted_max_m,residual,verdict,reason,wall,"
+    "points_removed,suspect\n";
 
 /// Two columns, the second without a pose, and a segment in each.
 struct SmallTurn {
@@ -39,6 +40,7 @@ struct SmallTurn {
         turn.record.entry = 7;
         turn.record.label = label;
         turn.returnsPerSegment = {12, 3};
+        turn.removedPerSegment = {11, 0};
         result.segments = {{0, 0, 10, {4, -1.2}, {4, 0.9}, mrpt::DEG2RAD(1.5), {0, 4}},
                            {1, 10, 13, {2.5, -0.70004}, {2.5, 0.25}, 0, {2, -2}}};
         core::SegmentMatch mapped;
@@ -66,9 +68,15 @@ TEST(SegmentsFile, rowTellsAllOfASegment) {
     EXPECT_EQ(fileOf({SmallTurn("LIDAR")}),
               std::string(header) +
                   "0,7,LIDAR,1700000000.000000,0,90.000,12,0.300,2.400,1.500,3.980,4.020,3.900,"
-                  "4.100,0.000,mapped_by_ray,,17\n"
+                  "4.100,0.000,mapped_by_ray,,17,11,\n"
                   "0,7,LIDAR,1700000000.250000,1,-45.000,3,0.000,0.950,0.000,2.500,2.500,,,,kept,"
-                  "no_pose,\n");
+                  "no_pose,,0,\n");
+}
+
+TEST(SegmentsFile, rowTellsIfItsScanIsSuspect) {
+    SmallTurn small("LIDAR");
+    small.turn.record.health.suspect = core::Suspicion::FewMatches;
+    EXPECT_THAT(fileOf({small}), HasSubstr(",no_pose,,0,few_matches\n"));
 }
 
 TEST(SegmentsFile, scansAreNumbered) {
@@ -103,7 +111,7 @@ TEST(SegmentsFile, agreesWithAScanSolvedByHand) {
     const std::string file = fileOf({small});
     EXPECT_THAT(file, HasSubstr(",21,0.500,1.500,0.000,"));
     // 5 m +- the map's 2 cm times the sigma factor of 2
-    EXPECT_THAT(file, HasSubstr(",4.960,5.040,0.000,mapped_by_ray,,1\n"));
+    EXPECT_THAT(file, HasSubstr(",4.960,5.040,0.000,mapped_by_ray,,1,21,\n"));
 }
 
 }  // namespace

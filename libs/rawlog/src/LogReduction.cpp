@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/LogReduction.h>
 #include <offmap/rawlog/Observations.h>
+#include <offmap/rawlog/RefinedPose.h>
 #include <offmap/rawlog/ScanClasses.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -17,10 +18,11 @@ using mrpt::obs::CSensoryFrame;
 
 namespace {
 
+/// What an entry becomes. \param poses of a frame, to be added to it
 template <class Choose, class Replacements>
 mrpt::serialization::CSerializable::Ptr replaced(
     const mrpt::serialization::CSerializable::Ptr& object, const Replacements& replacements,
-    Choose&& choose) {
+    const std::vector<CObservation::Ptr>& poses, Choose&& choose) {
     const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object);
     if (!frame) return choose(replacements.front());
     auto out = CSensoryFrame::Create();
@@ -34,6 +36,7 @@ mrpt::serialization::CSerializable::Ptr replaced(
         out->push_back(chosen);
         ++position;
     }
+    for (const CObservation::Ptr& pose : poses) out->push_back(pose);
     return out;
 }
 
@@ -126,6 +129,10 @@ void LogReduction::reduceTurn(const std::vector<Member>& members) {
         --entry.unresolved;
     }
     reduced.record.entry = members.front().entry->index;
+    if (reduced.vehicleInMap && !settings_.poseLabel.empty()) {
+        members.front().entry->poses.push_back(
+            robotPose(*reduced.vehicleInMap, reduced.record.time, settings_.poseLabel));
+    }
     onTurn(reduced);
 }
 
@@ -137,17 +144,22 @@ void LogReduction::writeReady() {
 }
 
 void LogReduction::write(const PendingEntry& entry) {
-    const auto changes = [&](auto member) {
-        return std::ranges::any_of(entry.replacements,
-                                   [&](const Replacement& r) { return (r.*member) != nullptr; });
-    };
-    const auto writeTo = [&](RawlogWriter& writer, auto member) {
-        if (!changes(member)) return writer.writeBytes(entry.bytes);
-        writer.write(*replaced(entry.object, entry.replacements,
+    using Poses = std::vector<CObservation::Ptr>;
+    const bool frame = std::dynamic_pointer_cast<CSensoryFrame>(entry.object) != nullptr;
+    const auto writeTo = [&](RawlogWriter& writer, auto member, const Poses& within) {
+        const bool changes =
+            !within.empty() || std::ranges::any_of(entry.replacements, [&](const Replacement& r) {
+                return (r.*member) != nullptr;
+            });
+        if (!changes) return writer.writeBytes(entry.bytes);
+        writer.write(*replaced(entry.object, entry.replacements, within,
                                [&](const Replacement& r) { return r.*member; }));
     };
-    writeTo(reduced_, &Replacement::reduced);
-    if (removed_) writeTo(*removed_, &Replacement::removed);
+    writeTo(reduced_, &Replacement::reduced, frame ? entry.poses : Poses());
+    if (!frame) {
+        for (const CObservation::Ptr& pose : entry.poses) reduced_.write(*pose);
+    }
+    if (removed_) writeTo(*removed_, &Replacement::removed, {});
 }
 
 void LogReduction::finish() {

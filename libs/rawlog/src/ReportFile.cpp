@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "HealthJson.h"
+
 #include <offmap/rawlog/ReportFile.h>
 
 #include <nlohmann/json.hpp>
@@ -46,6 +48,7 @@ ordered_json turnJson(const TurnRecord& turn, uint64_t index) {
     out["sensor"] = turn.label;
     out["class"] = turn.className;
     addPoints(turn, out);
+    addHealth(turn.health, out);
     out["not_reduced"] = turn.notReduced.empty() ? ordered_json() : ordered_json(turn.notReduced);
     out["reduce_ms"] = rounded(turn.milliseconds);
     return out;
@@ -64,6 +67,7 @@ ordered_json toJson(const ReductionTotals& totals) {
     out["scans_not_reduced"] = totals.notReduced;
     out["observations_not_supported"] = totals.notSupported;
     addPoints(totals, out);
+    out.update(toJson(totals.health));
     const auto median = totals.milliseconds.quantile(0.5);
     const auto p95 = totals.milliseconds.quantile(0.95);
     out["reduce_ms_median"] = median ? ordered_json(rounded(*median)) : ordered_json();
@@ -82,6 +86,7 @@ ReductionTotals totalsFrom(const ordered_json& json) {
     for (size_t r = 1; r < totals.keptByReason.size(); ++r) {
         totals.keptByReason[r] = kept.at(keyOf(r));
     }
+    totals.health = healthFrom(json);
     totals.mergedLogSeconds = json.at("log_s");
     return totals;
 }

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::string_view header =
     "scan,entry,sensor,time_s,column,azimuth_deg,points,z_min_m,z_max_m,tilt_deg,measured_min_m,"
-    "measured_max_m,predicted_min_m,predicted_max_m,residual,verdict,reason,wall\n";
+    "measured_max_m,predicted_min_m,predicted_max_m,residual,verdict,reason,wall,"
+    "points_removed,suspect\n";
 
 /// As RFC 4180 has it. Labels come from a file and may hold any bytes.
 std::string quoted(const std::string& label) {
@@ -64,15 +65,18 @@ SegmentsFile::SegmentsFile(const std::filesystem::path& target, const OutputOpti
 void SegmentsFile::add(const ReducedTurn& turn, const core::ReductionResult& result) {
     rows_.clear();
     const std::string label = quoted(turn.record.label);
+    const auto& suspect = turn.record.health.suspect;
+    const std::string_view suspicion = suspect ? core::toString(*suspect) : "";
     for (size_t s = 0; s < result.segments.size(); ++s) {
         const core::VerticalSegment& segment = result.segments[s];
         const core::ScanColumn& column = turn.organized.scan.columns[segment.column];
         const double height = heightOf(column);
-        fmt::format_to(std::back_inserter(rows_), "{},{},{},{:.6f},{},{},{},{},{},{},{}\n", scans_,
-                       turn.record.entry, label, mrpt::Clock::toDouble(column.time), segment.column,
-                       fixed(mrpt::RAD2DEG(double{column.azimuth})), turn.returnsPerSegment[s],
-                       fixed(height + segment.bottom.y), fixed(height + segment.top.y),
-                       fixed(mrpt::RAD2DEG(segment.tilt)), matchFields(result.matches[s]));
+        fmt::format_to(std::back_inserter(rows_), "{},{},{},{:.6f},{},{},{},{},{},{},{},{},{}\n",
+                       scans_, turn.record.entry, label, mrpt::Clock::toDouble(column.time),
+                       segment.column, fixed(mrpt::RAD2DEG(double{column.azimuth})),
+                       turn.returnsPerSegment[s], fixed(height + segment.bottom.y),
+                       fixed(height + segment.top.y), fixed(mrpt::RAD2DEG(segment.tilt)),
+                       matchFields(result.matches[s]), turn.removedPerSegment[s], suspicion);
     }
     file_.write(rows_);
     ++scans_;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/Observations.h>
+#include <offmap/rawlog/RefinedPose.h>
 #include <offmap/rawlog/SelfMask.h>
 #include <offmap/rawlog/TurnReducer.h>
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 
 namespace offmap::rawlog {
 
@@ -13,46 +13,67 @@ using mrpt::obs::CObservation;
 
 namespace {
 
-/// Returns on each segment: its points, and those that repeat them.
-std::vector<uint64_t> returnsPerSegment(const TurnScan& turn, const core::ReductionResult& result) {
-    std::vector<uint64_t> returns;
-    for (const auto& segment : result.segments) returns.push_back(segment.end - segment.begin);
-    if (turn.duplicates.empty()) return returns;
-    std::vector<uint32_t> copies(turn.scan.points.size(), 0);
-    for (const DuplicateReturn& duplicate : turn.duplicates) ++copies[duplicate.point];
-    for (size_t s = 0; s < returns.size(); ++s) {
-        const core::VerticalSegment& segment = result.segments[s];
-        returns[s] += std::accumulate(copies.begin() + segment.begin, copies.begin() + segment.end,
-                                      uint64_t{0});
-    }
+/// Per point, the returns that it stands for: itself and those that repeat it.
+std::vector<uint64_t> returnsPerPoint(const TurnScan& turn) {
+    std::vector<uint64_t> returns(turn.scan.points.size(), 1);
+    for (const DuplicateReturn& duplicate : turn.duplicates) ++returns[duplicate.point];
     return returns;
 }
 
+/// Counts the returns of each segment, and those removed. \return all that were removed
+uint64_t countReturns(const core::ReductionResult& result, ReducedTurn& out) {
+    const std::vector<uint64_t> returns = returnsPerPoint(out.organized);
+    const auto removedOf = [&](size_t i) { return isRemoved(result.labels[i]) ? returns[i] : 0; };
+    for (const core::VerticalSegment& segment : result.segments) {
+        uint64_t all = 0, removed = 0;
+        for (uint32_t i = segment.begin; i < segment.end; ++i) {
+            all += returns[i];
+            removed += removedOf(i);
+        }
+        out.returnsPerSegment.push_back(all);
+        out.removedPerSegment.push_back(removed);
+    }
+    uint64_t removed = 0;
+    for (size_t i = 0; i < returns.size(); ++i) removed += removedOf(i);
+    return removed;
+}
+
+/// Where the removed returns of a segment are counted.
+uint64_t& removedFor(core::Verdict verdict, TurnRecord& record) {
+    switch (verdict) {
+        case core::Verdict::MappedByRay:
+            return record.removedByRay;
+        case core::Verdict::MappedByExtension:
+            return record.removedByExtension;
+        case core::Verdict::RemovedAsOrphan:
+            return record.removedAsOrphans;
+        case core::Verdict::Kept:
+            break;
+    }
+    return record.removedByPoint;
+}
+
 /// Fills in what the result says; the rest of the record is known before.
-void record(const TurnScan& turn, const std::vector<uint64_t>& returns,
-            const core::ReductionResult& result, TurnRecord& out) {
-    for (const core::ScanColumn& column : turn.scan.columns) {
+void record(const core::ReductionResult& result, ReducedTurn& turn) {
+    TurnRecord& out = turn.record;
+    for (const core::ScanColumn& column : turn.organized.scan.columns) {
         out.columns += column.begin != column.end;
     }
     out.columnsWithoutPose = result.columnsWithoutPose;
     if (result.notReduced) out.notReduced = core::toString(*result.notReduced);
-    for (size_t s = 0; s < returns.size(); ++s) {
-        out.onVerticalSegments += returns[s];
-        switch (result.matches[s].verdict) {
-            case core::Verdict::MappedByRay:
-                out.removedByRay += returns[s];
-                break;
-            case core::Verdict::MappedByExtension:
-                out.removedByExtension += returns[s];
-                break;
-            case core::Verdict::RemovedAsOrphan:
-                out.removedAsOrphans += returns[s];
-                break;
-            case core::Verdict::Kept:
-                out.keptByReason[static_cast<size_t>(result.matches[s].reason)] += returns[s];
-                break;
-        }
+    out.health = core::healthOf(result);
+    uint64_t offSegments = countReturns(result, turn);
+    for (size_t s = 0; s < result.segments.size(); ++s) {
+        const uint64_t removed = turn.removedPerSegment[s];
+        const uint64_t kept = turn.returnsPerSegment[s] - removed;
+        const core::SegmentMatch& match = result.matches[s];
+        out.onVerticalSegments += turn.returnsPerSegment[s];
+        removedFor(match.verdict, out) += removed;
+        offSegments -= removed;
+        const bool whole = match.verdict == core::Verdict::Kept;
+        (whole ? out.keptByReason[static_cast<size_t>(match.reason)] : out.keptOffWall) += kept;
     }
+    out.removedByPoint += offSegments;
 }
 
 std::vector<uint8_t> removedSlots(const TurnScan& turn, const core::ReductionResult& result,
@@ -116,8 +137,8 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     out.record.time = turn.front()->timestamp;
     out.record.label = turn.front()->sensorLabel;
     out.record.className = classNameOf(*turn.front());
-    out.returnsPerSegment = returnsPerSegment(out.organized, *result_);
-    record(out.organized, out.returnsPerSegment, *result_, out.record);
+    record(*result_, out);
+    out.vehicleInMap = refinedPose(out.organized.scan, *result_, poses_, out.record.time);
     return out;
 }
 

@@ -32,6 +32,7 @@ class LogReduction {
         std::filesystem::path input;    ///< externally stored clouds are looked for beside it
         std::set<std::string> sensors;  ///< labels to reduce; empty: all
         bool keepGoing = false;         ///< copy what cannot be loaded, instead of throwing
+        std::string poseLabel;          ///< refined poses are added under it; empty: not added
     };
 
     /// All references must outlive it. \param removed may be null
@@ -61,6 +62,8 @@ class LogReduction {
         std::vector<std::byte> bytes;
         mrpt::serialization::CSerializable::Ptr object;
         std::vector<Replacement> replacements;
+        // Refined, of turns that begin here: to be written behind it, or as a frame's last members.
+        std::vector<mrpt::obs::CObservation::Ptr> poses;
         size_t unresolved = 0;  // observations whose turn is not complete
     };
     struct Member {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/rawlog/HealthTotals.h>
 #include <offmap/rawlog/TurnRecord.h>
 
 #include <mrpt/core/Clock.h>
@@ -43,16 +44,22 @@ struct ReductionTotals {
     ReturnCounts counts;
     uint64_t onVerticalSegments = 0;                                          ///< points
     uint64_t removedByRay = 0, removedByExtension = 0, removedAsOrphans = 0;  ///< points
+    uint64_t removedByPoint = 0, keptOffWall = 0;                             ///< points
     std::array<uint64_t, core::keepReasonCount> keptByReason{};               ///< points
-    DurationHistogram milliseconds;                                           ///< per turn
-    std::optional<mrpt::Clock::time_point> firstTime, lastTime;               ///< of turns
+    HealthTotals health;
+    DurationHistogram milliseconds;                              ///< per turn
+    std::optional<mrpt::Clock::time_point> firstTime, lastTime;  ///< of turns
     double mergedLogSeconds = 0;  ///< [s] of the logs that were merged into these
 
     void add(const TurnRecord& turn);
     /// Adds what became of another log.
     void merge(const ReductionTotals& other);
 
-    uint64_t removed() const { return removedByRay + removedByExtension + removedAsOrphans; }
+    uint64_t removed() const {
+        return removedByRay + removedByExtension + removedAsOrphans + removedByPoint;
+    }
+    uint64_t keptOnSegments() const;  ///< points on vertical segments
+    uint64_t removedOnSegments() const { return onVerticalSegments - keptOnSegments(); }
     uint64_t scansNotReduced() const;
     uint64_t observationsNotSupported() const;
     /// [s] from the first to the last turn of the log; of several, the sum.

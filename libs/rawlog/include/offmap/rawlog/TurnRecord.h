@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/core/Health.h>
 #include <offmap/core/ReductionResult.h>
 #include <offmap/rawlog/ScanClass.h>
 
@@ -24,11 +25,16 @@ struct TurnRecord {
     uint64_t removedByRay = 0;                                   ///< points
     uint64_t removedByExtension = 0;                             ///< points
     uint64_t removedAsOrphans = 0;                               ///< points
+    uint64_t removedByPoint = 0;                                 ///< points; their segment was not
+    uint64_t keptOffWall = 0;                                    ///< points; their segment was not
     std::array<uint64_t, core::keepReasonCount> keptByReason{};  ///< points on kept segments
+    core::Health health;
     std::string notReduced;   ///< why the whole turn was kept; empty if it was not
     double milliseconds = 0;  ///< [ms] from observation in memory to reduced observation in memory
 
-    uint64_t removed() const { return removedByRay + removedByExtension + removedAsOrphans; }
+    uint64_t removed() const {
+        return removedByRay + removedByExtension + removedAsOrphans + removedByPoint;
+    }
 };
 
 /// Visits the counts that the figures of a turn and of a whole log have in common, with their key
@@ -40,6 +46,8 @@ void forEachCount(const Visit& visit, Figures&... figures) {
     visit("points_removed_by_ray", figures.removedByRay...);
     visit("points_removed_by_extension", figures.removedByExtension...);
     visit("points_removed_as_orphans", figures.removedAsOrphans...);
+    visit("points_removed_by_point", figures.removedByPoint...);
+    visit("points_kept_off_wall", figures.keptOffWall...);
     visit("slots_without_return", figures.counts.zero...);
     visit("points_not_finite", figures.counts.nonFinite...);
     visit("points_duplicate", figures.counts.duplicates...);

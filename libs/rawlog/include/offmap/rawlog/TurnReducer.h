@@ -8,8 +8,10 @@
 #include <offmap/rawlog/TurnRecord.h>
 
 #include <mrpt/obs/CObservation.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,9 @@ struct ReducedTurn {
     std::vector<mrpt::obs::CObservation::Ptr> reduced;
     std::vector<uint8_t> removedSlots;        ///< per slot of the turn, 0 or 1
     std::vector<uint64_t> returnsPerSegment;  ///< those that repeat a point counted too
+    std::vector<uint64_t> removedPerSegment;  ///< of these
+    /// At the time of the record, see refinedPose(); none if the scan did not correct it.
+    std::optional<mrpt::poses::CPose3DPDFGaussian> vehicleInMap;
 };
 
 /// Reduces observations in memory: organises them into columns, asks core what is mapped, takes it
