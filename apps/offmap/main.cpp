@@ -6,6 +6,7 @@
 #include "RenderCommand.h"
 #include "ScoreCommand.h"
 #include "UsageError.h"
+#include "simulate/SimulateCommand.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -42,6 +43,7 @@ int main(int argc, char** argv) {
     addRenderCommand(app, exitCode);
     addInfoCommand(app, exitCode);
     addScoreCommand(app, exitCode);
+    addSimulateCommand(app, exitCode);
     return reportingErrors([&] {
         try {
             app.parse(argc, argv);
