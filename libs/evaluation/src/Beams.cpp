@@ -58,13 +58,7 @@ Beams::Beams(const World& world, const Scanner& scanner, const ScannerNoise& noi
     }
 }
 
-std::optional<WorldHit> Beams::castRay(const BeamAngles& angles) const {
-    return world_.castRay(sensorInMap_.translation(),
-                          sensorInMap_.rotateVector(directionOf(angles)), scanner_.maxRange);
-}
-
-float Beams::intensityOf(const WorldHit& hit, const BeamAngles& angles) const {
-    const TVector3D direction = sensorInMap_.rotateVector(directionOf(angles));
+float Beams::intensityOf(const WorldHit& hit, const TVector3D& direction) const {
     const TPoint3D point = sensorInMap_.translation() + direction * hit.range;
     const Surface& surface = world_.surfaces()[hit.surface];
     const TVector3D normal =
@@ -80,8 +74,9 @@ std::optional<double> Beams::mixedRange(const WorldHit& hit, const BeamAngles& a
     const double share = footprint_.between(0, 1);
     const bool mixes = footprint_.chance(noise_.mixing);
     const double aside = fromAxis * std::cos(around) / std::cos(angles.elevation);
-    const auto other =
-        castRay({angles.azimuth + aside, angles.elevation + fromAxis * std::sin(around)});
+    const auto direction = sensorInMap_.rotateVector(
+        directionOf({angles.azimuth + aside, angles.elevation + fromAxis * std::sin(around)}));
+    const auto other = world_.castRay(sensorInMap_.translation(), direction, scanner_.maxRange);
     if (!mixes || !other || other->surface == hit.surface) return std::nullopt;
     const double gap = other->range - hit.range;
     if (std::abs(gap) > pulseLength) return std::nullopt;
@@ -93,11 +88,13 @@ void Beams::fire(const BeamAngles& angles, uint32_t sourceIndex, SimulatedScan& 
     const double elevation = angles.elevation + random_.next(noise_.angle);
     double rangeError = random_.next(noise_.range);
 
+    const TVector3D meant = directionOf(angles);
     const BeamAngles axis{azimuth, elevation};
-    const auto hit = castRay(axis);
+    const auto direction = sensorInMap_.rotateVector(noise_.angle > 0 ? directionOf(axis) : meant);
+    const auto hit = world_.castRay(sensorInMap_.translation(), direction, scanner_.maxRange);
     if (!hit) return;
     PointTruth truth = truths_[hit->surface];
-    truth.intensity = intensityOf(*hit, axis);
+    truth.intensity = intensityOf(*hit, direction);
     if (noise_.dark > 0) {
         rangeError += darkness_.next(noise_.dark * (1 - static_cast<double>(truth.intensity)));
     }
@@ -108,7 +105,7 @@ void Beams::fire(const BeamAngles& angles, uint32_t sourceIndex, SimulatedScan& 
         range = mixed.value_or(range);
     }
     if (range + rangeError <= 0) return;
-    result.scan.points.push_back((directionOf(angles) * (range + rangeError)).cast<float>());
+    result.scan.points.push_back((meant * (range + rangeError)).cast<float>());
     result.scan.sourceIndex.push_back(sourceIndex);
     result.truth.push_back(truth);
 }

@@ -21,8 +21,7 @@ class Beams {
     void fire(const BeamAngles& angles, uint32_t sourceIndex, SimulatedScan& result);
 
  private:
-    std::optional<WorldHit> castRay(const BeamAngles& angles) const;
-    float intensityOf(const WorldHit& hit, const BeamAngles& angles) const;
+    float intensityOf(const WorldHit& hit, const mrpt::math::TVector3D& direction) const;
     /// The range at which a beam returns whose axis meets a surface, if not from there: between it
     /// and another one that the beam's footprint meets as well.
     std::optional<double> mixedRange(const WorldHit& hit, const BeamAngles& angles);

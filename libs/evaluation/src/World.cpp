@@ -16,6 +16,7 @@ void requireExtent(bool hasExtent, const char* shape) {
 
 uint32_t World::add(const Surface& surface) {
     surfaces_.push_back(surface);
+    bounds_.push_back(std::visit([](const auto& shape) { return boundsOf(shape); }, surface.shape));
     return static_cast<uint32_t>(surfaces_.size() - 1);
 }
 
@@ -71,6 +72,7 @@ std::optional<WorldHit> World::castRay(const mrpt::math::TPoint3D& origin,
     const Ray ray{origin, direction};
     std::optional<WorldHit> nearest;
     for (uint32_t id = 0; id < surfaces_.size(); ++id) {
+        if (!bounds_[id].mayMeet(ray)) continue;
         const std::optional<double> range =
             std::visit([&ray](const auto& shape) { return meet(ray, shape); }, surfaces_[id].shape);
         if (range && *range <= maxRange && (!nearest || *range < nearest->range)) {

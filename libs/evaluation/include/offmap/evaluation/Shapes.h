@@ -60,6 +60,21 @@ std::optional<double> meet(const Ray& ray, const Plane& plane);
 std::optional<double> meet(const Ray& ray, const Cylinder& cylinder);
 std::optional<double> meet(const Ray& ray, const Box& box);
 
+/// A circle that holds a shape in top view.
+struct BoundingCircle {
+    mrpt::math::TPoint2D centre;  ///< [m]
+    double radius;                ///< [m] infinite for a plane
+
+    /// False for a ray that surely passes the shape.
+    bool mayMeet(const Ray& ray) const;
+};
+
+BoundingCircle boundsOf(const Panel& panel);
+BoundingCircle boundsOf(const Mesh& mesh);
+BoundingCircle boundsOf(const Plane& plane);
+BoundingCircle boundsOf(const Cylinder& cylinder);
+BoundingCircle boundsOf(const Box& box);
+
 /// The unit normal of a shape at a point of its surface, to either side. [m]
 mrpt::math::TVector3D normalAt(const Panel& panel, const mrpt::math::TPoint3D& point);
 mrpt::math::TVector3D normalAt(const Mesh& mesh, const mrpt::math::TPoint3D& point);

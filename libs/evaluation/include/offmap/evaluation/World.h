@@ -66,6 +66,7 @@ class World {
 
     std::vector<core::Wall> map_;
     std::vector<Surface> surfaces_;
+    std::vector<BoundingCircle> bounds_;  ///< one per surface
 };
 
 /// The walls that the map shows.
