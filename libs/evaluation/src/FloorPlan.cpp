@@ -37,7 +37,7 @@ double drawSide(UniformNumbers& random) { return random.between(0.3, 0.8); }
 
 }  // namespace
 
-FloorPlan::FloorPlan(std::vector<TPoint2D> corners, double height,
+FloorPlan::FloorPlan(const std::vector<TPoint2D>& corners, double height,
                      const std::vector<Doorway>& doorways) {
     for (const TPoint2D& corner : corners) corners_.push_back(corner);
     world_.addFloor();

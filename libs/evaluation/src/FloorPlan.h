@@ -20,7 +20,7 @@ struct Doorway {
 class FloorPlan {
  public:
     /// \param corners [m] counter-clockwise \param height [m] of the ceiling
-    FloorPlan(std::vector<mrpt::math::TPoint2D> corners, double height,
+    FloorPlan(const std::vector<mrpt::math::TPoint2D>& corners, double height,
               const std::vector<Doorway>& doorways);
 
     /// Somewhere inside, away from the walls. Call it before objects are put.
