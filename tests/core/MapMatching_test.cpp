@@ -194,6 +194,8 @@ TEST(FaultOf, limitsWhatIsTooUncertain) {
     EXPECT_FALSE(faultOf(vague, limits));
     vague.ellipse = PositionEllipse(Eigen::Vector2d(0, 0.26 * 0.26).asDiagonal());
     EXPECT_EQ(faultOf(vague, limits), PoseFault::TooUncertain);
+    limits.method = MatchingMethod::Aligned;
+    EXPECT_FALSE(faultOf(vague, limits)) << "the scan will tell more";
 }
 
 TEST(FaultOf, poseThatIsNotFiniteIsFound) {

@@ -43,6 +43,7 @@ struct AtTheWall {
         segment.column = column;
         segment.begin = column * returns + first;
         segment.end = column * returns + last + 1;
+        segment.centre = {3, 0.05 * column};
         segment.bottom = {3, -1 + 0.1 * first};
         segment.top = {3, -1 + 0.1 * last};
         segments.push_back(segment);
@@ -55,13 +56,15 @@ struct AtTheWall {
 
     ReturnOffsets offsets() {
         level(scan, levelled);
-        return {scan, levelled, correction, map, config};
+        placesOf(scan, places);
+        return {scan, levelled, places, correction, map, config};
     }
 
     PointLabel label(uint32_t column, uint32_t i) const { return labels[column * returns + i]; }
 
     OrganizedScan scan;
     LevelledScan levelled;
+    std::vector<ColumnPlace> places;
     PoseCorrection correction;
     LineMap map{{{.line = {{3, -5}, {3, 5}}, .sigma = 0.01}}};
     AlignmentConfig config{.sigmaRange = 0.02};
@@ -139,6 +142,35 @@ TEST(RunsOffTheWall, ofNoiseOrOfFewReturnsDoNotCount) {
         EXPECT_EQ(scene.label(3, i), mapped) << i;
         EXPECT_EQ(scene.label(5, i), mapped) << i;
     }
+}
+
+// The floor 1 m below: a return 2.5 m away, the next 2.95 m away, 5 cm before the wall; then 3 cm
+// before it, then the wall.
+TEST(FloorAtTheFoot, staysWhereTheReturnBesideItIsAsHigh) {
+    AtTheWall scene;
+    scene.moveForward(3, 0, 0, 0.5F);
+    scene.moveForward(3, 1, 1, 0.05F);
+    scene.moveForward(3, 2, 2, 0.03F);
+    for (const uint32_t i : {1U, 2U}) scene.scan.points[3 * AtTheWall::returns + i].z = -1;
+    scene.removeSegment(3, 1, 20);
+    keepFloorAtTheFoot(scene.offsets(), scene.segments, scene.matches, scene.labels);
+    EXPECT_EQ(scene.label(3, 1), kept);
+    EXPECT_EQ(scene.label(3, 2), kept);
+    for (uint32_t i = 3; i <= 20; ++i) EXPECT_EQ(scene.label(3, i), mapped) << i;
+}
+
+TEST(FloorAtTheFoot, isToldFromAWallThatEndsHigher) {
+    AtTheWall scene;
+    scene.moveForward(3, 0, 0, 0.5F);
+    scene.moveForward(3, 1, 1, 0.05F);  // 10 cm above the return beside it
+    scene.removeSegment(3, 1, 20);
+    scene.moveForward(5, 20, 20, 0.5F);  // a beam of light, say, before the wall's top
+    scene.moveForward(5, 19, 19, -0.05F);
+    scene.scan.points[5 * AtTheWall::returns + 20].z = 0.9F;
+    scene.removeSegment(5, 0, 19);  // and its last return is behind the wall's line
+    keepFloorAtTheFoot(scene.offsets(), scene.segments, scene.matches, scene.labels);
+    EXPECT_EQ(scene.label(3, 1), mapped);
+    EXPECT_EQ(scene.label(5, 19), mapped);
 }
 
 }  // namespace offmap::core

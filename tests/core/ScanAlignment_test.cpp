@@ -35,7 +35,8 @@ struct WrongPose {
         }
         level(built.scan, levelled);
         findVerticalSegments(built.scan, levelled, {}, splitting, segments);
-        findSights(built.scan, levelled, segments, sights);
+        placesOf(built.scan, places);
+        findSights(built.scan, levelled, places, segments, sights);
     }
 
     Alignment alignTo(const LineMap& map, const Eigen::Matrix3d& stated) const {
@@ -48,6 +49,7 @@ struct WrongPose {
     LevelledScan levelled;
     SplitAndMergeScratch splitting;
     std::vector<VerticalSegment> segments;
+    std::vector<ColumnPlace> places;
     std::vector<WallSight> sights;
 };
 
@@ -96,7 +98,43 @@ TEST(ScanAlignment, fitsBadlyWhereTheRobotIsElsewhere) {
     const CPose3D stated(2.9, 1.5, 1.1, 1.2, 0, 0);
     const WrongPose scan(truth, stated);
     const Alignment alignment = scan.alignTo(roomMap(), statedCovariance(0.03, 0.5));
-    EXPECT_LT(alignment.fittedShare, ReductionConfig().alignment.minFittedShare);
+    EXPECT_FALSE(alignment.fits(AlignmentConfig().minFittedShare));
+}
+
+// What stands before walls is no evidence against a pose; what is seen through them is.
+TEST(ScanAlignment, fitsByWhatIsOnWallsOrBehindThem) {
+    Alignment alignment;
+    alignment.converged = true;
+    alignment.fittedShare = 0.2;
+    alignment.throughShare = 0.1;
+    EXPECT_TRUE(alignment.fits(0.5));
+    alignment.throughShare = 0.3;
+    EXPECT_FALSE(alignment.fits(0.5));
+    alignment.fittedShare = 0.05;
+    alignment.throughShare = 0;
+    EXPECT_FALSE(alignment.fits(0.5)) << "so many are on a wall by chance";
+}
+
+TEST(ScanAlignment, seesThroughTheWallsOfAMapThatIsTooSmall) {
+    const WrongPose scan(truth, truth);
+    auto walls = test::wallsOf(std::span(test::SmallRoom::slabs()).first(test::mappedSlabs));
+    const auto right = scan.alignTo(LineMap(walls), statedCovariance(0.03, 0.5));
+    EXPECT_LT(right.throughShare, 0.1);
+    walls = {{.line = {{0.9, -0.8}, {0.9, 0.2}}}};  // 0.5 m before the sensor
+    const auto blocked = scan.alignTo(LineMap(walls), statedCovariance(0.03, 0.5));
+    EXPECT_GT(blocked.throughShare, 0.1);
+    EXPECT_LT(blocked.fittedShare, 0.1);
+}
+
+// Off by 12 degrees and 0.2 m where both are stated to be that uncertain: the walls far away are
+// then metres from where the prior has them.
+TEST(ScanAlignment, findsAHeadingThatIsHardlyKnown) {
+    const CPose3D stated(0.55, -0.15, 1.1, 0.2 + mrpt::DEG2RAD(12.0), 0, 0);
+    const WrongPose scan(truth, stated);
+    const Alignment alignment = scan.alignTo(roomMap(), statedCovariance(0.15, 8));
+    ASSERT_TRUE(alignment.converged);
+    EXPECT_NEAR(alignment.correction.mean[2], -mrpt::DEG2RAD(12.0), mrpt::DEG2RAD(0.1));
+    EXPECT_FALSE(alignment.contradictsPrior());
 }
 
 // Two parallel walls say nothing of the place along them: the prior has to.

@@ -64,6 +64,7 @@ LineMap::LineMap(std::vector<Wall> walls) : walls_(std::move(walls)) {
     entries.reserve(walls_.size());
     for (size_t i = 0; i < walls_.size(); ++i) {
         requireUsable(walls_[i], i);
+        largestSigma_ = std::max(largestSigma_, walls_[i].sigma);
         // [m] more than what rounding takes from the look-up, even in coordinates of 1e7 m.
         constexpr double margin = 1e-6;
         const auto [low, high] = boundsOf(walls_[i]);

@@ -15,6 +15,12 @@ constexpr uint32_t reach = 3;  // columns to either side that a removed wall is 
 /// [m] Within it, the foot of a wall cannot be told from the floor, nor its top from the ceiling.
 constexpr double edge = 0.08;
 
+/// A wall that segments of a column were removed with, and between which heights.
+struct RemovedWall {
+    uint32_t wall;
+    double low, high;  // [m] above the sensor
+};
+
 void join(std::vector<RemovedWall>& walls, const RemovedWall& more) {
     const auto known = std::ranges::find(walls, more.wall, &RemovedWall::wall);
     if (known == walls.end()) {
@@ -54,23 +60,15 @@ class RemovedWalls {
     std::vector<std::vector<RemovedWall>> ofColumn_;
 };
 
-bool liesOn(const RemovedWall& wall, uint32_t point, const ColumnPlace& place,
+bool liesOn(const RemovedWall& wall, uint32_t point, uint32_t column,
             const ReturnOffsets& offsets) {
-    const double z = offsets.levelled().profile[point].y;
+    const double z = offsets.seen(point).z;
     if (z < wall.low + edge || z > wall.high - edge) return false;
-    const WallOffset offset = offsets.of(point, place, wall.wall);
+    const WallOffset offset = offsets.of(point, column, wall.wall);
     return offset.distance <= offsets.config().gate * offset.sigma;
 }
 
 }  // namespace
-
-WallOffset ReturnOffsets::of(uint32_t point, const ColumnPlace& place, uint32_t wall) const {
-    const TPoint2D ground = levelled_.ground[point];
-    const double range = ground.norm();
-    const TPoint2D beam = range > 0 ? ground * (1 / range) : TPoint2D(1, 0);
-    return offsetFrom(map_.walls()[wall], correction_, place, {ground, levelled_.profile[point].y},
-                      beam, config_.sigmaRange * config_.sigmaRange);
-}
 
 void labelLooseReturns(const ReturnOffsets& offsets, std::span<const VerticalSegment> segments,
                        std::span<const SegmentMatch> matches, std::span<PointLabel> labels) {
@@ -81,11 +79,10 @@ void labelLooseReturns(const ReturnOffsets& offsets, std::span<const VerticalSeg
         if (!columns[c].sensor || columns[c].begin == columns[c].end) continue;
         removed.near(c, walls);
         if (walls.empty()) continue;
-        const ColumnPlace place = placeOf(columns[c]);
         for (uint32_t i = columns[c].begin; i < columns[c].end; ++i) {
             if (labels[i] != PointLabel::NotOnVerticalSegment) continue;
             const bool mapped = std::ranges::any_of(
-                walls, [&](const RemovedWall& wall) { return liesOn(wall, i, place, offsets); });
+                walls, [&](const RemovedWall& wall) { return liesOn(wall, i, c, offsets); });
             if (mapped) labels[i] = PointLabel::Mapped;
         }
     }

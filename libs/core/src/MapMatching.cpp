@@ -57,8 +57,10 @@ std::optional<PoseFault> faultOf(const Viewpoint& viewpoint, const MatchingConfi
                            viewpoint.ellipse.semiMajor(), viewpoint.sigmaHeading}) {
         if (!std::isfinite(x)) return PoseFault::NotFinite;
     }
-    if (config.sigmaFactor * viewpoint.ellipse.semiMajor() > config.maxPositionRadius ||
-        config.sigmaFactor * viewpoint.sigmaHeading > config.maxHeadingError) {
+    // Conditioned on the scan, a pose may begin with less: whether it was found shows in the scan.
+    const double start = config.method == MatchingMethod::Aligned ? 4 : 1;
+    if (config.sigmaFactor * viewpoint.ellipse.semiMajor() > start * config.maxPositionRadius ||
+        config.sigmaFactor * viewpoint.sigmaHeading > start * config.maxHeadingError) {
         return PoseFault::TooUncertain;
     }
     return std::nullopt;

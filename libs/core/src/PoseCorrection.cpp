@@ -2,6 +2,7 @@
 #include <offmap/core/PoseCorrection.h>
 
 #include <cmath>
+#include <optional>
 
 namespace offmap::core {
 
@@ -9,25 +10,14 @@ using mrpt::math::TPoint2D;
 
 namespace {
 
-struct Rotation {
-    explicit Rotation(double angle) : c(std::cos(angle)), s(std::sin(angle)) {}
-    TPoint2D operator*(const TPoint2D& p) const { return {c * p.x - s * p.y, s * p.x + c * p.y}; }
-    double c, s;
-};
-
 /// How far leaning by one radian about an axis moves what is seen at a height of one metre.
 TPoint2D leanAbout(const TPoint2D& axis) { return {axis.y, -axis.x}; }
 
 TPoint2D left(const TPoint2D& p) { return {-p.y, p.x}; }
 
-double dot(const TPoint2D& a, const TPoint2D& b) { return a.x * b.x + a.y * b.y; }
-
-}  // namespace
-
-ColumnPlace placeOf(const ScanColumn& column) {
-    const auto& sensor = column.sensor->sensorInMap;
-    const auto& inMap = sensor.getRotationMatrix();
-    const auto mounting = mrpt::poses::CPose3D(column.sensorInVehicle).getRotationMatrix();
+ColumnPlace placeOf(const mrpt::poses::CPose3D& sensorInMap,
+                    const mrpt::math::CMatrixDouble33& mounting) {
+    const auto& inMap = sensorInMap.getRotationMatrix();
     // First column of inMap * mounting^T: the vehicle's x axis.
     double x = 0, y = 0;
     for (int k = 0; k < 3; ++k) {
@@ -36,26 +26,59 @@ ColumnPlace placeOf(const ScanColumn& column) {
     }
     const double norm = std::hypot(x, y);
     const TPoint2D along = norm > 0 ? TPoint2D(x / norm, y / norm) : TPoint2D(1, 0);
-    return {{sensor.x(), sensor.y()}, along};
+    return {{sensorInMap.x(), sensorInMap.y()}, along};
+}
+
+double dot(const TPoint2D& a, const TPoint2D& b) { return a.x * b.x + a.y * b.y; }
+
+}  // namespace
+
+ColumnPlace placeOf(const ScanColumn& column) {
+    return placeOf(column.sensor->sensorInMap,
+                   mrpt::poses::CPose3D(column.sensorInVehicle).getRotationMatrix());
+}
+
+void placesOf(const OrganizedScan& scan, std::vector<ColumnPlace>& places) {
+    places.assign(scan.columns.size(), {{0, 0}, {1, 0}});
+    std::optional<mrpt::math::TPose3D> mounting;  // that `rotation` is of: mostly, all are alike
+    mrpt::math::CMatrixDouble33 rotation;
+    for (size_t c = 0; c < scan.columns.size(); ++c) {
+        const ScanColumn& column = scan.columns[c];
+        if (!column.sensor) continue;
+        if (mounting != column.sensorInVehicle) {
+            mounting = column.sensorInVehicle;
+            rotation = mrpt::poses::CPose3D(*mounting).getRotationMatrix();
+        }
+        places[c] = placeOf(column.sensor->sensorInMap, rotation);
+    }
+}
+
+CorrectedColumn::CorrectedColumn(const PoseCorrection& correction, const ColumnPlace& column)
+    : cosine_(std::cos(correction.mean[2])), sine_(std::sin(correction.mean[2])) {
+    const TPoint2D along = column.vehicleAlong, across = left(along);
+    const double leanX = correction.mean[3], leanY = correction.mean[4];
+    centre_ = correction.pivot + TPoint2D(correction.mean[0], correction.mean[1]);
+    sensor_ = centre_ + turned(column.position - correction.pivot);
+    perLeanX_ = turned(leanAbout(along));
+    perLeanY_ = turned(leanAbout(across));
+    leanPerHeight_ = perLeanX_ * leanX + perLeanY_ * leanY;
+    risePerGround_ = left(along) * leanX + left(across) * leanY;
+}
+
+Vector5 CorrectedColumn::gradient(const SeenPoint& point, const TPoint2D& normal) const {
+    Vector5 out;
+    out << normal.x, normal.y, dot(normal, left(place(point) - centre_)),
+        point.z * dot(normal, perLeanX_), point.z * dot(normal, perLeanY_);
+    return out;
 }
 
 TPoint2D PoseCorrection::apply(const ColumnPlace& column, const SeenPoint& point) const {
-    const TPoint2D along = column.vehicleAlong;
-    const TPoint2D lean = leanAbout(along) * mean[3] + leanAbout(left(along)) * mean[4];
-    const TPoint2D fromPivot = column.position + point.ground + lean * point.z - pivot;
-    return pivot + TPoint2D(mean[0], mean[1]) + Rotation(mean[2]) * fromPivot;
+    return CorrectedColumn(*this, column).place(point);
 }
 
 Vector5 PoseCorrection::gradient(const ColumnPlace& column, const SeenPoint& point,
                                  const TPoint2D& normal) const {
-    const TPoint2D fromPivot = apply(column, point) - pivot - TPoint2D(mean[0], mean[1]);
-    const Rotation turn(mean[2]);
-    const TPoint2D along = column.vehicleAlong;
-    Vector5 out;
-    out << normal.x, normal.y, dot(normal, left(fromPivot)),
-        point.z * dot(normal, turn * leanAbout(along)),
-        point.z * dot(normal, turn * leanAbout(left(along)));
-    return out;
+    return CorrectedColumn(*this, column).gradient(point, normal);
 }
 
 }  // namespace offmap::core

@@ -20,6 +20,7 @@ struct Reducer::Workspace {
     std::vector<std::optional<Viewpoint>> viewpoints;  // per column
     SegmentsByColumn byColumn;
     ExtensionScratch extension;
+    std::vector<ColumnPlace> places;
     std::vector<WallSight> sights;
     ReductionResult result;
 
@@ -86,7 +87,8 @@ void Reducer::Workspace::matchByRays(const LineMap& map, const ReductionConfig& 
 std::optional<PoseCorrection> Reducer::Workspace::correct(const OrganizedScan& scan,
                                                           const LineMap& map,
                                                           const ReductionConfig& config) {
-    findSights(scan, levelled, result.segments, sights);
+    placesOf(scan, places);
+    findSights(scan, levelled, places, result.segments, sights);
     std::erase_if(sights, [&](const WallSight& sight) {
         return !viewpoints[result.segments[sight.segment].column];
     });
@@ -97,9 +99,8 @@ std::optional<PoseCorrection> Reducer::Workspace::correct(const OrganizedScan& s
         return uncorrected(pivot, first.groundCovariance, config.alignment);
     }
     result.alignment = align(sights, map, pivot, first.groundCovariance, config.alignment);
-    const bool fits = result.alignment->converged &&
-                      result.alignment->fittedShare >= config.alignment.minFittedShare;
-    if (fits) return result.alignment->correction;
+    if (result.alignment->fits(config.alignment.minFittedShare))
+        return result.alignment->correction;
     result.notReduced = PoseFault::DoesNotFit;
     return std::nullopt;
 }
@@ -133,7 +134,7 @@ Reducer::~Reducer() = default;
 Reducer::Reducer(Reducer&&) noexcept = default;
 
 const ReductionResult& Reducer::reduce(const OrganizedScan& scan) {
-    auto& [levelled, splitting, viewpoints, byColumn, extension, sights, result] = *work_;
+    auto& [levelled, splitting, viewpoints, byColumn, extension, places, sights, result] = *work_;
     result.alignment.reset();
     level(scan, levelled);
     findVerticalSegments(scan, levelled, config_.vertical, splitting,
@@ -150,7 +151,7 @@ const ReductionResult& Reducer::reduce(const OrganizedScan& scan) {
 
 /// As the paper does it.
 void Reducer::reduceByRays(const OrganizedScan& scan) {
-    auto& [levelled, splitting, viewpoints, byColumn, extension, sights, result] = *work_;
+    auto& [levelled, splitting, viewpoints, byColumn, extension, places, sights, result] = *work_;
     const ColumnRing ring(scan);
     work_->matchByRays(map_, config_);  // eqs. 1, 6, 7
     byColumn.build(result.segments, viewpoints);
@@ -172,9 +173,11 @@ void Reducer::reduceByGates(const OrganizedScan& scan) {
     if (correction) work_->matchByGates(*correction, map_, config_);
     work_->labelPoints(scan.points.size());
     if (!correction) return;
-    const ReturnOffsets offsets(scan, work_->levelled, *correction, map_, config_.alignment);
+    const ReturnOffsets offsets(scan, work_->levelled, work_->places, *correction, map_,
+                                config_.alignment);
     labelLooseReturns(offsets, result.segments, result.matches, result.labels);
     keepRunsOffTheWall(offsets, result.segments, result.matches, result.labels);
+    keepFloorAtTheFoot(offsets, result.segments, result.matches, result.labels);
 }
 
 }  // namespace offmap::core

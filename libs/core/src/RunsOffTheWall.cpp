@@ -11,24 +11,21 @@ namespace {
 constexpr uint32_t leastReturns = 4;  // of a run: fewer are on one side of a wall by chance
 
 /// -1 before the wall, 1 behind it, 0 where that cannot be told.
-int sideOf(const WallOffset& offset, const AlignmentConfig& config) {
+int sideOf(double behind, const AlignmentConfig& config) {
     const double undecided = 0.5 * config.sigmaRange;
-    return offset.behind > undecided ? 1 : offset.behind < -undecided ? -1 : 0;
+    return behind > undecided ? 1 : behind < -undecided ? -1 : 0;
 }
 
 /// Neighbouring returns on the same side of the wall.
 struct Run {
     uint32_t begin = 0;
     int side = 0;
-    double sum = 0;    // [m] of their distances behind the wall
-    double sigma = 0;  // [m] of the first one's
+    double sum = 0;  // [m] of their distances behind the wall
 };
 
-bool standsOff(const Run& run, uint32_t count, const AlignmentConfig& config) {
+/// \param common [m] standard deviation that all returns share; their own noise averages out
+bool standsOff(const Run& run, uint32_t count, double common, const AlignmentConfig& config) {
     if (count < leastReturns) return false;
-    // What all returns have in common: pose and map. Their own noise averages out.
-    const double common =
-        std::sqrt(std::max(run.sigma * run.sigma - config.sigmaRange * config.sigmaRange, 0.0));
     const double own = config.sigmaRange / std::sqrt(count);
     // Being on one side is what makes a run: its mean is off by up to a sigma of noise.
     const double limit = config.gate * std::hypot(common, own) + config.sigmaRange;
@@ -42,20 +39,24 @@ void keepRunsOffTheWall(const ReturnOffsets& offsets, std::span<const VerticalSe
     for (size_t s = 0; s < segments.size(); ++s) {
         if (!matches[s].mapped() || !matches[s].wall) continue;
         const VerticalSegment& segment = segments[s];
-        const ColumnPlace place = placeOf(offsets.scan().columns[segment.column]);
+        const Wall& wall = offsets.wall(*matches[s].wall);
+        const CorrectedColumn column = offsets.corrected(segment.column);
+        const auto normal =
+            normalAwayFrom(segment.centre, wall, column.place(offsets.seen(segment.begin)));
+        const double common = offsets.commonSigma(segment, *matches[s].wall);
         Run run;
         const auto end = [&](uint32_t at) {
-            if (!standsOff(run, at - run.begin, offsets.config())) return;
+            if (!standsOff(run, at - run.begin, common, offsets.config())) return;
             std::fill(labels.begin() + run.begin, labels.begin() + at, PointLabel::Kept);
         };
         for (uint32_t i = segment.begin; i < segment.end; ++i) {
-            const WallOffset offset = offsets.of(i, place, *matches[s].wall);
-            const int side = sideOf(offset, offsets.config());
+            const double behind = distanceBehind(column.place(offsets.seen(i)), wall, normal);
+            const int side = sideOf(behind, offsets.config());
             if (i == segment.begin || side != run.side) {
                 if (i != segment.begin) end(i);
-                run = {i, side, 0, offset.sigma};
+                run = {i, side, 0};
             }
-            run.sum += offset.behind;
+            run.sum += behind;
         }
         end(segment.end);
     }

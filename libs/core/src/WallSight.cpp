@@ -2,7 +2,6 @@
 #include <offmap/core/WallSight.h>
 
 #include <cmath>
-#include <optional>
 
 namespace offmap::core {
 
@@ -38,17 +37,15 @@ WallSight sightOf(const VerticalSegment& segment, uint32_t index, const ColumnPl
 }  // namespace
 
 void findSights(const OrganizedScan& scan, const LevelledScan& levelled,
-                std::span<const VerticalSegment> segments, std::vector<WallSight>& sights) {
+                std::span<const ColumnPlace> places, std::span<const VerticalSegment> segments,
+                std::vector<WallSight>& sights) {
     sights.clear();
-    std::optional<uint32_t> column;  // that `place` is of
-    ColumnPlace place{};
     for (uint32_t s = 0; s < segments.size(); ++s) {
         const VerticalSegment& segment = segments[s];
         const auto& sensor = scan.columns[segment.column].sensor;
         if (!sensor || !(segment.centre.norm() > 0)) continue;
-        if (column != segment.column) place = placeOf(scan.columns[segment.column]);
-        column = segment.column;
-        sights.push_back(sightOf(segment, s, place, levelled, sensor->sensorInMap.z()));
+        sights.push_back(
+            sightOf(segment, s, places[segment.column], levelled, sensor->sensorInMap.z()));
     }
 }
 

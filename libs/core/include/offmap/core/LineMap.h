@@ -38,6 +38,9 @@ class LineMap {
 
     const std::vector<Wall>& walls() const { return walls_; }
 
+    /// [m] Of all walls; 0 of an empty map.
+    double largestSigma() const { return largestSigma_; }
+
     /// The first wall on a ray that reaches to height z, if there is one within maxRange; eq. 1,
     /// d_map. \param origin [m] map frame \param direction unit vector \param z [m] map frame
     std::optional<RayHit> castRay(const mrpt::math::TPoint2D& origin,
@@ -54,6 +57,7 @@ class LineMap {
  private:
     struct Index;
     std::vector<Wall> walls_;
+    double largestSigma_ = 0;
     std::unique_ptr<const Index> index_;
 };
 

@@ -16,30 +16,40 @@ namespace offmap::core {
 /// How single returns of a scan stand to walls, once its poses are corrected.
 class ReturnOffsets {
  public:
+    /// \param places of the scan's columns
     ReturnOffsets(const OrganizedScan& scan, const LevelledScan& levelled,
-                  const PoseCorrection& correction, const LineMap& map,
-                  const AlignmentConfig& config)
-        : scan_(scan), levelled_(levelled), correction_(correction), map_(map), config_(config) {}
+                  std::span<const ColumnPlace> places, const PoseCorrection& correction,
+                  const LineMap& map, const AlignmentConfig& config)
+        : scan_(scan),
+          levelled_(levelled),
+          places_(places),
+          correction_(correction),
+          map_(map),
+          config_(config) {}
 
-    /// \param place of the return's column
-    WallOffset of(uint32_t point, const ColumnPlace& place, uint32_t wall) const;
+    SeenPoint seen(uint32_t point) const {
+        return {levelled_.ground[point], levelled_.profile[point].y};
+    }
 
+    /// \param column of the return
+    WallOffset of(uint32_t point, uint32_t column, uint32_t wall) const;
+
+    /// [m] Standard deviation across the wall that all returns of a segment have in common: pose
+    /// and map.
+    double commonSigma(const VerticalSegment& segment, uint32_t wall) const;
+
+    CorrectedColumn corrected(uint32_t column) const { return {correction_, places_[column]}; }
+    const Wall& wall(uint32_t index) const { return map_.walls()[index]; }
     const OrganizedScan& scan() const { return scan_; }
-    const LevelledScan& levelled() const { return levelled_; }
     const AlignmentConfig& config() const { return config_; }
 
  private:
     const OrganizedScan& scan_;
     const LevelledScan& levelled_;
+    std::span<const ColumnPlace> places_;
     const PoseCorrection& correction_;
     const LineMap& map_;
     const AlignmentConfig& config_;
-};
-
-/// A wall that segments of a column were removed with, and between which heights.
-struct RemovedWall {
-    uint32_t wall;
-    double low, high;  ///< [m] above the sensor
 };
 
 /// Labels as mapped what lies on no vertical segment but on a wall that segments of the same or a
@@ -50,6 +60,11 @@ void labelLooseReturns(const ReturnOffsets& offsets, std::span<const VerticalSeg
 /// Labels as kept each run of returns of a removed segment whose mean stands off the wall by more
 /// than can be by chance: something thin before the wall, that split-and-merge took for it.
 void keepRunsOffTheWall(const ReturnOffsets& offsets, std::span<const VerticalSegment> segments,
+                        std::span<const SegmentMatch> matches, std::span<PointLabel> labels);
+
+/// Labels as kept returns at an end of a removed segment that stand before the wall, at the height
+/// of the next return beside that end: floor or ceiling, met just before they meet the wall.
+void keepFloorAtTheFoot(const ReturnOffsets& offsets, std::span<const VerticalSegment> segments,
                         std::span<const SegmentMatch> matches, std::span<PointLabel> labels);
 
 }  // namespace offmap::core

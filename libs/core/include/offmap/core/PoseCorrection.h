@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <mrpt/math/TPoint2D.h>
 
+#include <vector>
+
 namespace offmap::core {
 
 /// What the poses of a scan may be wrong by, all columns alike: a shift dx, dy [m], a turn of the
@@ -28,6 +30,9 @@ struct ColumnPlace {
 /// \pre the column has a pose
 ColumnPlace placeOf(const ScanColumn& column);
 
+/// The place of each column; of one without a pose, none that means anything.
+void placesOf(const OrganizedScan& scan, std::vector<ColumnPlace>& places);
+
 /// A correction of a scan's poses and how far it may be wrong itself.
 struct PoseCorrection {
     mrpt::math::TPoint2D pivot;            ///< [m] in the map: the turn's fixed point
@@ -40,6 +45,37 @@ struct PoseCorrection {
     /// Derivative of apply() across a wall with the given unit normal.
     Vector5 gradient(const ColumnPlace& column, const SeenPoint& point,
                      const mrpt::math::TPoint2D& normal) const;
+};
+
+/// One column under a correction: as PoseCorrection::apply(), for many points.
+class CorrectedColumn {
+ public:
+    CorrectedColumn(const PoseCorrection& correction, const ColumnPlace& column);
+
+    /// Place in the map [m] of what the column sees, to first order in the lean.
+    mrpt::math::TPoint2D place(const SeenPoint& point) const {
+        return sensor_ + turned(point.ground) + leanPerHeight_ * point.z;
+    }
+
+    /// [m] Above the sensor, with the lean undone.
+    double height(const SeenPoint& point) const {
+        return point.z + point.ground.x * risePerGround_.x + point.ground.y * risePerGround_.y;
+    }
+
+    /// Derivative of place() across a wall with the given unit normal.
+    Vector5 gradient(const SeenPoint& point, const mrpt::math::TPoint2D& normal) const;
+
+ private:
+    mrpt::math::TPoint2D turned(const mrpt::math::TPoint2D& p) const {
+        return {cosine_ * p.x - sine_ * p.y, sine_ * p.x + cosine_ * p.y};
+    }
+
+    double cosine_, sine_;                      // of the turn
+    mrpt::math::TPoint2D centre_;               // [m] the pivot, shifted
+    mrpt::math::TPoint2D sensor_;               // [m] in the map
+    mrpt::math::TPoint2D perLeanX_, perLeanY_;  // [1/rad] shift on the ground per height
+    mrpt::math::TPoint2D leanPerHeight_;        // [-]
+    mrpt::math::TPoint2D risePerGround_;        // [-] before the turn
 };
 
 }  // namespace offmap::core

@@ -38,7 +38,8 @@ struct AlignmentConfig {
     double sigmaRange = 0.02;               ///< [m] standard deviation of a single return's range
     double sigmaTilt = mrpt::DEG2RAD(1.2);  ///< [rad] of the sensor's lean about either axis
     double gate = 3.0;                      ///< [-] sigmas that a segment may stand off its wall
-    double minFittedShare = 0.3;  ///< [-] of the segments on walls; with fewer, all are kept
+    double minFittedShare =
+        0.5;  ///< [-] on walls, of the segments on or behind them; else all stay
 };
 
 /// Extending matched segments along their wall (section 3.3).

@@ -29,7 +29,9 @@ struct WallSight {
 };
 
 /// The sights of all segments whose column has a pose, in the order of the segments.
+/// \param places of the scan's columns
 void findSights(const OrganizedScan& scan, const LevelledScan& levelled,
-                std::span<const VerticalSegment> segments, std::vector<WallSight>& sights);
+                std::span<const ColumnPlace> places, std::span<const VerticalSegment> segments,
+                std::vector<WallSight>& sights);
 
 }  // namespace offmap::core

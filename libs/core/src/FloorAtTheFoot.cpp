@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/PointLevel.h>
+
+#include <cmath>
+
+namespace offmap::core {
+
+namespace {
+
+/// [m] Two returns nearer in height than this are of one level: noise, and floors are not even.
+constexpr double levelTolerance = 0.03;
+
+/// [m] A floor's next return is at least so much nearer to the sensor, or further, than its last.
+constexpr double leastStep = 0.1;
+
+/// Sigmas of a single range that a return has to stand before the wall: an end of a wall may well
+/// happen to be at the height of the floor.
+constexpr double clearlyBefore = 0.5;
+
+class FootOfTheWall {
+ public:
+    FootOfTheWall(const ReturnOffsets& offsets, const VerticalSegment& segment, uint32_t wall)
+        : offsets_(offsets),
+          segment_(segment),
+          wall_(offsets.wall(wall)),
+          column_(offsets.corrected(segment.column)),
+          normal_(
+              normalAwayFrom(segment.centre, wall_, column_.place(offsets.seen(segment.begin)))) {}
+
+    /// Keeps returns from one end inwards. \param next the return beside that end
+    void keep(uint32_t next, uint32_t first, int inwards, std::span<PointLabel> labels) const {
+        const SeenPoint beside = offsets_.seen(next);
+        for (uint32_t i = first; i - segment_.begin < segment_.end - segment_.begin;
+             i += static_cast<uint32_t>(inwards)) {
+            const SeenPoint here = offsets_.seen(i);
+            const bool level =
+                std::abs(column_.height(here) - column_.height(beside)) < levelTolerance;
+            const bool apart = std::abs(here.ground.norm() - beside.ground.norm()) > leastStep;
+            const double behind = distanceBehind(column_.place(here), wall_, normal_);
+            if (!level || !apart || behind > -clearlyBefore * offsets_.config().sigmaRange) return;
+            labels[i] = PointLabel::Kept;
+        }
+    }
+
+ private:
+    const ReturnOffsets& offsets_;
+    const VerticalSegment& segment_;
+    const Wall& wall_;
+    CorrectedColumn column_;
+    mrpt::math::TPoint2D normal_;
+};
+
+}  // namespace
+
+void keepFloorAtTheFoot(const ReturnOffsets& offsets, std::span<const VerticalSegment> segments,
+                        std::span<const SegmentMatch> matches, std::span<PointLabel> labels) {
+    for (size_t s = 0; s < segments.size(); ++s) {
+        if (!matches[s].mapped() || !matches[s].wall) continue;
+        const VerticalSegment& segment = segments[s];
+        const ScanColumn& column = offsets.scan().columns[segment.column];
+        const FootOfTheWall foot(offsets, segment, *matches[s].wall);
+        if (segment.begin > column.begin) foot.keep(segment.begin - 1, segment.begin, 1, labels);
+        if (segment.end < column.end) foot.keep(segment.end, segment.end - 1, -1, labels);
+    }
+}
+
+}  // namespace offmap::core

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/PointLevel.h>
+
+namespace offmap::core {
+
+using mrpt::math::TPoint2D;
+
+WallOffset ReturnOffsets::of(uint32_t point, uint32_t column, uint32_t wall) const {
+    const TPoint2D ground = levelled_.ground[point];
+    const double range = ground.norm();
+    const TPoint2D beam = range > 0 ? ground * (1 / range) : TPoint2D(1, 0);
+    return offsetFrom(map_.walls()[wall], correction_, places_[column], seen(point), beam,
+                      config_.sigmaRange * config_.sigmaRange);
+}
+
+double ReturnOffsets::commonSigma(const VerticalSegment& segment, uint32_t wall) const {
+    const SeenPoint middle{segment.centre, 0.5 * (segment.bottom.y + segment.top.y)};
+    return offsetFrom(map_.walls()[wall], correction_, places_[segment.column], middle,
+                      segment.centre, 0)
+        .sigma;
+}
+
+}  // namespace offmap::core
