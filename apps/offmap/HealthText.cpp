@@ -31,17 +31,19 @@ std::string inWords(Suspicion reason) {
 }
 
 std::string suspectText(const rawlog::HealthTotals& health) {
+    const uint64_t suspects = health.suspectScans();
     std::vector<std::string> parts;
     for (size_t r = 0; r < health.suspects.size(); ++r) {
         if (health.suspects[r] == 0) continue;
         parts.push_back(
             fmt::format("{} {}", grouped(health.suspects[r]), inWords(static_cast<Suspicion>(r))));
     }
-    std::string out = fmt::format("\nsuspect {:>12}   {}", grouped(health.suspectScans()),
-                                  fmt::join(parts, ", "));
+    std::string out =
+        fmt::format("\nsuspect {:>12}   {}", grouped(suspects), fmt::join(parts, ", "));
     if (health.firstSuspects.empty()) return out;
-    const bool all = health.firstSuspects.size() == health.suspectScans();
-    return out + fmt::format(": {}{}", fmt::join(health.firstSuspects, ", "), all ? "" : ", ...");
+    const bool all = health.firstSuspects.size() == suspects;
+    return out + fmt::format(": scan{} {}{}", suspects == 1 ? "" : "s",
+                             fmt::join(health.firstSuspects, ", "), all ? "" : ", ...");
 }
 
 }  // namespace

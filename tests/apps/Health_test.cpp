@@ -99,7 +99,8 @@ TEST_F(Health, poseThatIsOffByMoreThanItSaysIsHealedAndNamed) {
     writeClouds(4, {1, 3}, nearby_);
     const RunResult run = reduceWith("aligned", {"--strict"});
     EXPECT_EQ(run.exitCode, 0) << "they were reduced";
-    EXPECT_THAT(run.out, HasSubstr("2 contradict the stated covariance of their pose: 1, 3\n"));
+    EXPECT_THAT(run.out,
+                HasSubstr("2 contradict the stated covariance of their pose: scans 1, 3\n"));
     EXPECT_THAT(run.err, AllOf(HasSubstr("2 of 4 scans contradict"), HasSubstr("(scans 1, 3)"),
                                HasSubstr("--pose-sigma")));
     const json all = report();
@@ -130,7 +131,7 @@ TEST_F(Health, scanThatFitsNowhereIsKeptWholeAndNamed) {
 TEST_F(Health, withoutAlignmentTellsByMatches) {
     writeClouds(3, {2}, elsewhere_);
     const RunResult run = reduceWith("paper");
-    EXPECT_THAT(run.out, HasSubstr("1 show few of the map's walls: 2\n"));
+    EXPECT_THAT(run.out, HasSubstr("1 show few of the map's walls: scan 2\n"));
     EXPECT_THAT(run.err, AllOf(HasSubstr("check the poses against the map (scan 2)")));
     EXPECT_EQ(report()["scans"][2]["suspect"], "few_matches");
     EXPECT_LT(report()["scans"][2]["matched_share"], 0.3);
@@ -141,7 +142,7 @@ TEST_F(Health, listOfSuspectsIsBounded) {
     for (int i = 0; i < 12; ++i) all[static_cast<size_t>(i)] = i;
     writeClouds(12, all, nearby_);
     const RunResult run = reduceWith("aligned");
-    EXPECT_THAT(run.out, HasSubstr(": 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, ...\n"));
+    EXPECT_THAT(run.out, HasSubstr(": scans 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, ...\n"));
     EXPECT_EQ(report()["totals"]["scans_suspect"]["pose_contradicted"], 12);
 }
 

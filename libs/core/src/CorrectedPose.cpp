@@ -15,11 +15,10 @@ namespace {
 Eigen::Matrix3d rotationBy(const Vector5& mean, const mrpt::math::TPoint2D& along) {
     const Eigen::Vector3d lean(mean[3] * along.x - mean[4] * along.y,
                                mean[3] * along.y + mean[4] * along.x, 0);
-    const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(mean[2], Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Eigen::AngleAxisd turn(mean[2], Eigen::Vector3d::UnitZ());
     const double angle = lean.norm();
-    if (!(angle > 0)) return turn;
-    return turn * Eigen::AngleAxisd(angle, lean / angle).toRotationMatrix();
+    if (!(angle > 0)) return turn.toRotationMatrix();
+    return (turn * Eigen::AngleAxisd(angle, lean / angle)).toRotationMatrix();
 }
 
 CPose3D vehicleBy(const PoseCorrection& correction, const ScanColumn& column) {
