@@ -37,7 +37,7 @@ class FootOfTheWall {
                 std::abs(column_.height(here) - column_.height(beside)) < levelTolerance;
             const bool apart = std::abs(here.ground.norm() - beside.ground.norm()) > leastStep;
             const double behind = distanceBehind(column_.place(here), wall_, normal_);
-            if (!level || !apart || behind > -clearlyBefore * offsets_.config().sigmaRange) return;
+            if (!level || !apart || behind > -clearlyBefore * offsets_.sigmaRange(i)) return;
             labels[i] = PointLabel::Kept;
         }
     }

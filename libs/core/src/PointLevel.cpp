@@ -9,8 +9,9 @@ WallOffset ReturnOffsets::of(uint32_t point, uint32_t column, uint32_t wall) con
     const TPoint2D ground = levelled_.ground[point];
     const double range = ground.norm();
     const TPoint2D beam = range > 0 ? ground * (1 / range) : TPoint2D(1, 0);
+    const double sigma = sigmaRange(point);
     return offsetFrom(map_.walls()[wall], correction_, places_[column], seen(point), beam,
-                      config_.sigmaRange * config_.sigmaRange);
+                      sigma * sigma);
 }
 
 double ReturnOffsets::commonSigma(const VerticalSegment& segment, uint32_t wall) const {

@@ -11,8 +11,8 @@ namespace {
 constexpr uint32_t leastReturns = 4;  // of a run: fewer are on one side of a wall by chance
 
 /// -1 before the wall, 1 behind it, 0 where that cannot be told.
-int sideOf(double behind, const AlignmentConfig& config) {
-    const double undecided = 0.5 * config.sigmaRange;
+int sideOf(double behind, double sigmaRange) {
+    const double undecided = 0.5 * sigmaRange;
     return behind > undecided ? 1 : behind < -undecided ? -1 : 0;
 }
 
@@ -20,15 +20,23 @@ int sideOf(double behind, const AlignmentConfig& config) {
 struct Run {
     uint32_t begin = 0;
     int side = 0;
-    double sum = 0;  // [m] of their distances behind the wall
+    double sum = 0;        // [m] of their distances behind the wall
+    double variances = 0;  // [m^2] of their ranges
 };
 
+/// [m] Of the range of one of them, in the quadratic mean.
+double sigmaOf(const Run& run, uint32_t count, const ReturnOffsets& offsets) {
+    return offsets.scan().rangeSigma.empty() ? offsets.config().sigmaRange
+                                             : std::sqrt(run.variances / count);
+}
+
 /// \param common [m] standard deviation that all returns share; their own noise averages out
-bool standsOff(const Run& run, uint32_t count, double common, const AlignmentConfig& config) {
+bool standsOff(const Run& run, uint32_t count, double common, const ReturnOffsets& offsets) {
     if (count < leastReturns) return false;
-    const double own = config.sigmaRange / std::sqrt(count);
+    const double sigmaRange = sigmaOf(run, count, offsets);
+    const double own = sigmaRange / std::sqrt(count);
     // Being on one side is what makes a run: its mean is off by up to a sigma of noise.
-    const double limit = config.gate * std::hypot(common, own) + config.sigmaRange;
+    const double limit = offsets.config().gate * std::hypot(common, own) + sigmaRange;
     return std::abs(run.sum) / count > limit;
 }
 
@@ -46,17 +54,19 @@ void keepRunsOffTheWall(const ReturnOffsets& offsets, std::span<const VerticalSe
         const double common = offsets.commonSigma(segment, *matches[s].wall);
         Run run;
         const auto end = [&](uint32_t at) {
-            if (!standsOff(run, at - run.begin, common, offsets.config())) return;
+            if (!standsOff(run, at - run.begin, common, offsets)) return;
             std::fill(labels.begin() + run.begin, labels.begin() + at, PointLabel::Kept);
         };
         for (uint32_t i = segment.begin; i < segment.end; ++i) {
             const double behind = distanceBehind(column.place(offsets.seen(i)), wall, normal);
-            const int side = sideOf(behind, offsets.config());
+            const double sigmaRange = offsets.sigmaRange(i);
+            const int side = sideOf(behind, sigmaRange);
             if (i == segment.begin || side != run.side) {
                 if (i != segment.begin) end(i);
-                run = {i, side, 0};
+                run = {i, side, 0, 0};
             }
             run.sum += behind;
+            run.variances += sigmaRange * sigmaRange;
         }
         end(segment.end);
     }

@@ -99,8 +99,9 @@ std::optional<Candidate> Aligner::candidate(uint32_t index, const PoseCorrection
     const CorrectedColumn column(at, sight.place);
     const SeenPoint middle = sight.middle();
     const double gate = config_.gate;
-    const double look = gate * std::hypot(priorShare * openAt(sight), map_.largestSigma(),
-                                          config_.sigmaRange + modelError);
+    const double look =
+        gate * std::hypot(priorShare * openAt(sight), map_.largestSigma(),
+                          sight.rangeSigma.value_or(config_.sigmaRange) + modelError);
     const TPoint2D place = column.place(middle);
     const auto near = map_.nearestWall(place, std::min(look, widestLook), sight.heightInMap);
     if (!near) return std::nullopt;

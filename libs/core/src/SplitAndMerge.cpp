@@ -30,12 +30,15 @@ LinePiece pieceOf(Points points, const Run& run) {
     return piece;
 }
 
-/// The point of a run that is furthest from a line, if that is too far; else run.end.
-uint32_t strayPoint(Points points, const Run& run, const FittedLine& line, double maxPointToLine) {
-    double furthest = maxPointToLine;
+/// The point of a run that is furthest from a line, its slack apart, if that is too far; else
+/// run.end.
+uint32_t strayPoint(Points points, const Run& run, const FittedLine& line,
+                    const SplitAndMergeConfig& config) {
+    double furthest = config.maxPointToLine;
     uint32_t stray = run.end;
     for (uint32_t i = run.begin; i < run.end; ++i) {
-        const double distance = line.distance(points[i]);
+        const double slack = config.slack.empty() ? 0 : static_cast<double>(config.slack[i]);
+        const double distance = line.distance(points[i]) - slack;
         if (distance > furthest) {
             furthest = distance;
             stray = i;
@@ -44,8 +47,8 @@ uint32_t strayPoint(Points points, const Run& run, const FittedLine& line, doubl
     return stray;
 }
 
-bool keepsTolerance(Points points, const LinePiece& piece, double maxPointToLine) {
-    return strayPoint(points, {piece.begin, piece.end}, piece.line, maxPointToLine) == piece.end;
+bool keepsTolerance(Points points, const LinePiece& piece, const SplitAndMergeConfig& config) {
+    return strayPoint(points, {piece.begin, piece.end}, piece.line, config) == piece.end;
 }
 
 /// Runs without gaps, the last one on top.
@@ -68,7 +71,7 @@ void append(Points points, LinePiece piece, const SplitAndMergeConfig& config,
         both.end = piece.end;
         both.fit.add(piece.fit);
         both.line = both.fit.line();
-        if (!keepsTolerance(points, both, config.maxPointToLine)) break;
+        if (!keepsTolerance(points, both, config)) break;
         pieces.pop_back();
         piece = both;
     }
@@ -90,8 +93,7 @@ void settleSeam(Points points, const SplitAndMergeConfig& config, LinePiece& fir
     if (seam == first.end) return;
     const LinePiece before = pieceOf(points, {first.begin, seam});
     const LinePiece after = pieceOf(points, {seam, second.end});
-    if (keepsTolerance(points, before, config.maxPointToLine) &&
-        keepsTolerance(points, after, config.maxPointToLine)) {
+    if (keepsTolerance(points, before, config) && keepsTolerance(points, after, config)) {
         first = before;
         second = after;
     }
@@ -118,10 +120,10 @@ std::span<const LinePiece> splitAndMerge(Points points, const SplitAndMergeConfi
     while (!pending.empty()) {
         const Run run = pending.back();
         pending.pop_back();
-        uint32_t at = strayPoint(points, run, chordOf(points, run), config.maxPointToLine);
+        uint32_t at = strayPoint(points, run, chordOf(points, run), config);
         if (at == run.end) {
             const LinePiece piece = pieceOf(points, run);
-            at = strayPoint(points, run, piece.line, config.maxPointToLine);
+            at = strayPoint(points, run, piece.line, config);
             if (at == run.end) {
                 append(points, piece, config, pieces);
                 continue;

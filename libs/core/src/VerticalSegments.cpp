@@ -32,18 +32,32 @@ VerticalSegment segmentOf(const LinePiece& piece, uint32_t column, uint32_t begi
     return segment;
 }
 
+/// What noise beyond the tolerance asks for; nothing where the scan tells of none.
+std::vector<float> slackOf(const OrganizedScan& scan, double maxPointToLine) {
+    constexpr double sigmas = 3;
+    std::vector<float> slack;
+    slack.reserve(scan.rangeSigma.size());
+    for (const double sigma : scan.rangeSigma) {
+        slack.push_back(static_cast<float>(std::max(sigmas * sigma - maxPointToLine, 0.0)));
+    }
+    return slack;
+}
+
 }  // namespace
 
 void findVerticalSegments(const OrganizedScan& scan, const LevelledScan& levelled,
                           const VerticalConfig& config, SplitAndMergeScratch& scratch,
                           std::vector<VerticalSegment>& segments) {
-    const SplitAndMergeConfig splitting{config.maxPointToLine, config.maxGap, config.minLength,
-                                        config.minPoints};
+    SplitAndMergeConfig splitting{config.maxPointToLine, config.maxGap, config.minLength,
+                                  config.minPoints};
+    const std::vector<float> slack = slackOf(scan, config.maxPointToLine);
     segments.clear();
     for (uint32_t c = 0; c < scan.columns.size(); ++c) {
         const ScanColumn& column = scan.columns[c];
         if (column.end - column.begin < config.minPoints) continue;
         const std::span profile(levelled.profile.data() + column.begin, column.end - column.begin);
+        if (!slack.empty())
+            splitting.slack = std::span(slack).subspan(column.begin, profile.size());
         for (const LinePiece& piece : splitAndMerge(profile, splitting, scratch)) {
             const VerticalSegment segment = segmentOf(piece, c, column.begin, levelled);
             if (segment.tilt <= config.maxTilt) segments.push_back(segment);

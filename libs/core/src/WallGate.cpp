@@ -44,7 +44,7 @@ void explainKept(const WallSight& sight, const PoseCorrection& correction, const
 
 double varianceOfSight(const WallSight& sight, const TPoint2D& normal,
                        const AlignmentConfig& config) {
-    const double along = config.sigmaRange * dot(normal, sight.beam);
+    const double along = sight.rangeSigma.value_or(config.sigmaRange) * dot(normal, sight.beam);
     return along * along / std::min(sight.returns, countedReturns);
 }
 
@@ -68,8 +68,8 @@ SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
     const auto near = map.nearestWall(place, widestGate, sight.heightInMap);
     if (near) {
         const Wall& wall = map.walls()[near->wall];
-        const double noise = config.alignment.sigmaRange * config.alignment.sigmaRange /
-                             std::min(sight.returns, countedReturns);
+        const double sigma = sight.rangeSigma.value_or(config.alignment.sigmaRange);
+        const double noise = sigma * sigma / std::min(sight.returns, countedReturns);
         const WallOffset offset =
             offsetFrom(wall, correction, sight.place, sight.middle(), sight.beam, noise);
         const double gate = config.alignment.gate;

@@ -34,6 +34,16 @@ WallSight sightOf(const VerticalSegment& segment, uint32_t index, const ColumnPl
             count};
 }
 
+std::optional<double> rangeSigmaOf(const OrganizedScan& scan, const VerticalSegment& segment) {
+    if (scan.rangeSigma.empty()) return std::nullopt;
+    double sum = 0;
+    for (uint32_t i = segment.begin; i < segment.end; ++i) {
+        const double sigma = scan.rangeSigma[i];
+        sum += sigma * sigma;
+    }
+    return std::sqrt(sum / (segment.end - segment.begin));
+}
+
 }  // namespace
 
 void findSights(const OrganizedScan& scan, const LevelledScan& levelled,
@@ -46,6 +56,7 @@ void findSights(const OrganizedScan& scan, const LevelledScan& levelled,
         if (!sensor || !(segment.centre.norm() > 0)) continue;
         sights.push_back(
             sightOf(segment, s, places[segment.column], levelled, sensor->sensorInMap.z()));
+        sights.back().rangeSigma = rangeSigmaOf(scan, segment);
     }
 }
 

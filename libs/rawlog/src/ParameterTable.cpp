@@ -116,6 +116,8 @@ Rows sensorRows() {
                "rotating scan: the way round in which its azimuth counts"),
         list("sensor.elevations_deg", "deg", -90, 90, {}, FIELD(sensor.elevations),
              "range image: elevations of its rows, row 0 first; empty: known from the model"),
+        list("sensor.range_sigma_by_intensity_m", "m", 0, 1, {}, FIELD(sensor.rangeSigmaByIntensity),
+             "pairs of an intensity, 0 ... 1, and the sigma of such returns' ranges; empty: alignment.sigma_range_m"),
         number("sensor.min_range_m", "m", 0, 100, FIELD(sensor.minRange),
                "nearer returns are the robot's own, and kept; 0: none"),
         list("sensor.robot_box_m", "m", -100, 100, {0, 6},

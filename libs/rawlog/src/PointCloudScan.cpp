@@ -3,8 +3,10 @@
 #include <offmap/rawlog/PointCloudScan.h>
 
 #include <fmt/format.h>
+#include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace offmap::rawlog {
@@ -47,6 +49,23 @@ size_t PointCloudScan::slotCount(const mrpt::obs::CObservation& obs) const {
                                            cloud.sensorLabel, cloud.getExternalStorageFile()));
     }
     return cloud.pointcloud ? cloud.pointcloud->size() : 0;
+}
+
+std::vector<float> PointCloudScan::intensities(const mrpt::obs::CObservation& obs) const {
+    const auto* map =
+        dynamic_cast<const mrpt::maps::CPointsMapXYZI*>(asCloud(obs).pointcloud.get());
+    if (!map) return {};
+    std::vector<float> out(map->size());
+    float brightest = 0;
+    for (size_t i = 0; i < out.size(); ++i) {
+        out[i] = map->getPointIntensity_fast(i);
+        brightest = std::max(brightest, out[i]);
+    }
+    // MRPT's go to 1; many programs copy the sensor's whole numbers.
+    if (brightest > 1) {
+        for (float& intensity : out) intensity /= 255.0F;
+    }
+    return out;
 }
 
 TurnScan PointCloudScan::organize(const Turn& turn, const PoseSource& poses,

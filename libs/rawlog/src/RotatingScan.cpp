@@ -8,6 +8,8 @@
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 
+#include <limits>
+
 namespace offmap::rawlog {
 
 namespace {
@@ -143,6 +145,20 @@ void insertPoints(const Scan& obs, SlotMask keep, const SensorConfig& config, In
 
 size_t RotatingScan::slotCount(const mrpt::obs::CObservation& obs) const {
     return cellsOf(asScan(obs)) * (1 + asScan(obs).rangeOtherLayers.size());
+}
+
+std::vector<float> RotatingScan::intensities(const mrpt::obs::CObservation& obs) const {
+    const Scan& scan = asScan(obs);
+    if (!hasIntensity(scan)) return {};
+    // Of other layers' returns, the image says nothing.
+    std::vector<float> out(slotCount(obs), std::numeric_limits<float>::quiet_NaN());
+    size_t slot = 0;
+    for (int row = 0; row < scan.intensityImage.rows(); ++row) {
+        for (int column = 0; column < scan.intensityImage.cols(); ++column) {
+            out[slot++] = static_cast<float>(scan.intensityImage(row, column)) / 255.0F;
+        }
+    }
+    return out;
 }
 
 TurnScan RotatingScan::organize(const Turn& turn, const PoseSource& poses,

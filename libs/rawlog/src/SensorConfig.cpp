@@ -8,6 +8,22 @@
 
 namespace offmap::rawlog {
 
+namespace {
+
+void requirePairs(const std::vector<double>& sigmaByIntensity) {
+    bool usable = sigmaByIntensity.size() % 2 == 0;
+    for (size_t i = 0; usable && i < sigmaByIntensity.size(); i += 2) {
+        usable = sigmaByIntensity[i + 1] > 0 &&
+                 (i == 0 || sigmaByIntensity[i] >= sigmaByIntensity[i - 2]);
+    }
+    if (usable) return;
+    throw std::invalid_argument(
+        "sensor.range_sigma_by_intensity_m must be pairs of an intensity and a sigma above 0, the "
+        "intensities ascending");
+}
+
+}  // namespace
+
 void SensorConfig::validate() const {
     if (!(maxColumnPause > 0)) {
         throw std::invalid_argument("sensor.max_column_pause_s must be greater than 0");
@@ -15,6 +31,7 @@ void SensorConfig::validate() const {
     if (!(columnWidth >= 0 && columnWidth <= mrpt::DEG2RAD(30.0))) {
         throw std::invalid_argument("sensor.column_width_deg must lie in 0 ... 30");
     }
+    requirePairs(rangeSigmaByIntensity);
     if (!(minRange >= 0 && std::isfinite(minRange))) {
         throw std::invalid_argument("sensor.min_range_m must be finite and not negative");
     }

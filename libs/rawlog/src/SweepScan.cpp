@@ -49,6 +49,16 @@ size_t SweepScan::slotCount(const mrpt::obs::CObservation& obs) const {
     return asScan(obs).getScanSize();
 }
 
+std::vector<float> SweepScan::intensities(const mrpt::obs::CObservation& obs) const {
+    const Scan& scan = asScan(obs);
+    if (!scan.hasIntensity()) return {};
+    std::vector<float> out(scan.getScanSize());
+    for (size_t i = 0; i < out.size(); ++i) {
+        out[i] = static_cast<float>(scan.getScanIntensity(i)) / 255.0F;
+    }
+    return out;
+}
+
 TurnScan SweepScan::organize(const Turn& turn, const PoseSource& poses,
                              const SensorConfig& config) const {
     return organizeSweep(turn, poses, config);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/Observations.h>
+#include <offmap/rawlog/RangeSigma.h>
 #include <offmap/rawlog/RefinedPose.h>
 #include <offmap/rawlog/SelfMask.h>
 #include <offmap/rawlog/TurnReducer.h>
@@ -117,6 +118,7 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     const SensorConfig& config = sensorOf(turn.front()->sensorLabel);
     out.organized = scanClass.organize(turn, poses_, config);
     maskSelfReturns(out.organized, config);
+    findRangeSigmas(out.organized, turn, scanClass, config, config_.reduction.alignment.sigmaRange);
     result_ = &reducer_.reduce(out.organized.scan);
     out.removedSlots = removedSlots(out.organized, *result_, slots);
 

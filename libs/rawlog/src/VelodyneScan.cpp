@@ -51,6 +51,14 @@ size_t VelodyneScan::slotCount(const mrpt::obs::CObservation& obs) const {
     return asScan(obs).scan_packets.size() * slotsPerPacket;
 }
 
+std::vector<float> VelodyneScan::intensities(const mrpt::obs::CObservation& obs) const {
+    std::vector<float> out(slotCount(obs));
+    for (size_t slot = 0; slot < out.size(); ++slot) {
+        out[slot] = static_cast<float>(returnInSlot(asScan(obs), slot).intensity()) / 255.0F;
+    }
+    return out;
+}
+
 TurnScan VelodyneScan::organize(const Turn& turn, const PoseSource& poses,
                                 const SensorConfig& config) const {
     TurnScan out;

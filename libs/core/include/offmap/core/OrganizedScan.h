@@ -32,10 +32,17 @@ struct OrganizedScan {
     std::vector<mrpt::math::TPoint3Df>
         points;                         ///< [m] in the sensor's frame at the time of its column
     std::vector<uint32_t> sourceIndex;  ///< per point: its slot in the observations it came from
+    std::vector<float> rangeSigma;      ///< [m] per point: standard deviation of its range; empty:
+                                        ///< AlignmentConfig::sigmaRange of every one
     std::vector<ScanColumn> columns;    ///< their ranges follow each other and cover `points`
 
     std::span<const mrpt::math::TPoint3Df> column(size_t c) const {
         return {points.data() + columns[c].begin, points.data() + columns[c].end};
+    }
+
+    /// [m] Of a point's range. \param usual where the scan does not tell
+    double rangeSigmaOf(uint32_t point, double usual) const {
+        return rangeSigma.empty() ? usual : static_cast<double>(rangeSigma[point]);
     }
 };
 

@@ -34,6 +34,11 @@ class ReturnOffsets {
     /// \param column of the return
     WallOffset of(uint32_t point, uint32_t column, uint32_t wall) const;
 
+    /// [m] Of a return's range.
+    double sigmaRange(uint32_t point) const {
+        return scan_.rangeSigmaOf(point, config_.sigmaRange);
+    }
+
     /// [m] Standard deviation across the wall that all returns of a segment have in common: pose
     /// and map.
     double commonSigma(const VerticalSegment& segment, uint32_t wall) const;

@@ -12,10 +12,11 @@
 namespace offmap::core {
 
 struct SplitAndMergeConfig {
-    double maxPointToLine;  ///< [m] of any point of a piece to its line
-    double maxGap;          ///< [m] between neighbouring points of a piece
-    double minLength;       ///< [m] between the ends of a piece, along its line
-    uint32_t minPoints;     ///< of a piece
+    double maxPointToLine;           ///< [m] of any point of a piece to its line
+    double maxGap;                   ///< [m] between neighbouring points of a piece
+    double minLength;                ///< [m] between the ends of a piece, along its line
+    uint32_t minPoints;              ///< of a piece
+    std::span<const float> slack{};  ///< [m] per point, on top of maxPointToLine; empty: none
 };
 
 /// A straight piece of an ordered list of points.

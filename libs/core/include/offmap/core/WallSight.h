@@ -7,6 +7,7 @@
 #include <offmap/core/ReductionResult.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct WallSight {
     mrpt::math::TPoint2D beam;  ///< unit vector from the sensor on the ground, map axes
     double heightInMap;         ///< [m] z of the middle
     uint32_t returns;
+    std::optional<double> rangeSigma{};  ///< [m] of a single return's range, in the quadratic mean;
+                                         ///< none: AlignmentConfig::sigmaRange
 
     SeenPoint middle() const {
         return {(lower.ground + upper.ground) * 0.5, 0.5 * (lower.z + upper.z)};

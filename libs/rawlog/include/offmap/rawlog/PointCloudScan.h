@@ -18,6 +18,7 @@ class PointCloudScan final : public ScanClass {
                       const std::filesystem::path& rawlogFile) const override;
     /// \throw std::logic_error if the cloud is stored externally: loadExternal() comes first.
     size_t slotCount(const mrpt::obs::CObservation& obs) const override;
+    std::vector<float> intensities(const mrpt::obs::CObservation& obs) const override;
     TurnScan organize(const Turn& turn, const PoseSource& poses,
                       const SensorConfig& config) const override;
     /// Same class of map, all of its channels and options.

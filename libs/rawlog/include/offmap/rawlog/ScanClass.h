@@ -67,6 +67,12 @@ class ScanClass {
     virtual TurnScan organize(const Turn& turn, const PoseSource& poses,
                               const SensorConfig& config) const = 0;
 
+    /// How bright the return in each slot is: 0 ... 1, NaN where that is not told. Whole numbers
+    /// count 255 as 1. Empty: the observation does not tell.
+    virtual std::vector<float> intensities(const mrpt::obs::CObservation& /*obs*/) const {
+        return {};
+    }
+
     /// The same observation with only the chosen returns; the others become "no return" in its own
     /// encoding. \param keep one entry per slot, 0 or 1
     /// \param leftovers Keep for the reduced observation, Drop for its complement

@@ -44,8 +44,11 @@ struct SensorConfig {
         0.0;  ///< [rad] azimuth width of a point cloud's column; 0: found in the cloud
     TimeReference timeReference = TimeReference::First;
     AzimuthSense azimuthSense = AzimuthSense::Auto;
-    std::vector<double> elevations;    ///< [rad] of a range image's rows, row 0 first; empty: known
-                                       ///< from the sensor's model
+    std::vector<double> elevations;  ///< [rad] of a range image's rows, row 0 first; empty: known
+                                     ///< from the sensor's model
+    /// Pairs of an intensity, 0 ... 1, ascending, and the standard deviation [m] of the ranges of
+    /// returns that bright; linear between, constant beyond. Empty: AlignmentConfig::sigmaRange.
+    std::vector<double> rangeSigmaByIntensity;
     double minRange = 0;               ///< [m] nearer returns are the robot's own, and kept
     std::optional<RobotBox> robotBox;  ///< returns in it are the robot's own, and kept
     std::optional<mrpt::poses::CPose3D> mounting;  ///< instead of what the observations say

@@ -12,6 +12,7 @@ class SweepScan final : public ScanClass {
     using ScanClass::withOnly;
 
     size_t slotCount(const mrpt::obs::CObservation& obs) const override;
+    std::vector<float> intensities(const mrpt::obs::CObservation& obs) const override;
     TurnScan organize(const Turn& turn, const PoseSource& poses,
                       const SensorConfig& config) const override;
     /// Rays that were invalid before stay as they are.

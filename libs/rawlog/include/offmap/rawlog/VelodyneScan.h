@@ -14,6 +14,7 @@ class VelodyneScan final : public ScanClass {
     using ScanClass::withOnly;
 
     size_t slotCount(const mrpt::obs::CObservation& obs) const override;
+    std::vector<float> intensities(const mrpt::obs::CObservation& obs) const override;
     TurnScan organize(const Turn& turn, const PoseSource& poses,
                       const SensorConfig& config) const override;
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
