@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
 namespace offmap::accuracy {
 
@@ -83,23 +81,18 @@ void boundStandOffs(const std::string& level, const Study& standOffs, Bounds& bo
     bounds.atLeast("objects at 20 to 50 cm kept, " + level, kept(further), 99);
 }
 
-void boundLies(const std::string& level, const Study& lies, std::span<const char* const> tooLarge,
-               Bounds& bounds) {
-    for (const char* factor : tooLarge) {
-        bounds.atLeast(fmt::format("stated {}, mapped on segments removed, {}", factor, level),
+void boundTooLarge(const Study& lies, Bounds& bounds) {
+    for (const char* factor : {"x2", "x4"}) {
+        bounds.atLeast(fmt::format("stated {}, mapped on segments removed", factor),
                        removed(aligned(lies.at(factor)).score.total().mappedOnSegments), 98);
     }
-    const Pool& tooSmall = aligned(lies.at("x0.25"));
-    bounds.atMost("stated x0.25, unmapped removed, " + level,
-                  removed(tooSmall.score.total().unmapped), 1);
-    bounds.atMost("stated x0.25, scans kept whole, " + level, 100 * tooSmall.keptWholeShare(), 20);
 }
 
-void boundAllLies(const ScannerStudies& of, Bounds& bounds) {
-    constexpr std::array tooLarge{"x2", "x4"};
-    boundLies("middle level", of.lies, tooLarge, bounds);
-    // Of 5 degrees stated as 20 no use is made: matching.max_heading_error_deg.
-    boundLies("all levels", of.liesMixed, std::span(tooLarge).first(1), bounds);
+void boundTooSmall(const std::string& level, const Study& lies, Bounds& bounds) {
+    const Pool& pool = aligned(lies.at("x0.25"));
+    bounds.atMost("stated x0.25, unmapped removed, " + level, removed(pool.score.total().unmapped),
+                  1);
+    bounds.atMost("stated x0.25, scans kept whole, " + level, 100 * pool.keptWholeShare(), 20);
 }
 
 /// \param leastFlagged [%] of the scans
@@ -149,7 +142,10 @@ std::vector<Bound> boundsOf(const Studies& studies, const Extent& extent) {
         boundCells(of.cells, sparse, bounds);
         boundStandOffs("middle level", of.standOffs, bounds);
         boundStandOffs("all levels", of.standOffsMixed, bounds);
-        boundAllLies(of, bounds);
+        // At the other levels, multiples can exceed matching.max_heading_error_deg: not used then.
+        boundTooLarge(of.lies, bounds);
+        boundTooSmall("middle level", of.lies, bounds);
+        boundTooSmall("all levels", of.liesMixed, bounds);
         // Of 25 scans, 4 may lack the flag.
         boundBlunders(of.blunders, extent.quick ? 83 : 95, bounds);
         boundPose(aligned(all).pose, bounds);

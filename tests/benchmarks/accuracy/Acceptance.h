@@ -19,8 +19,8 @@ struct Bound {
     bool met() const { return atMost ? measured <= limit : measured >= limit; }
 };
 
-/// What is demanded of the methods, by their published figures. With few scans the limits are
-/// looser, see Slack.
+/// What is demanded of the methods. A quick run has few scans: its limits are half a percent
+/// looser.
 std::vector<Bound> boundsOf(const Studies& studies, const Extent& extent);
 
 }  // namespace offmap::accuracy

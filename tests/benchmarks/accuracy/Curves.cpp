@@ -34,12 +34,11 @@ std::string removalOverNoise(const Study& cells) {
 
 std::string keptOverStandOff(const ScannerStudies& of) {
     std::string rows;
-    const auto distances = standOffsOf(of.standOffs.conditions.size() < 8);
-    for (size_t c = 0; c < distances.size(); ++c) {
-        rows += fmt::format("{}", distances[c]);
+    for (size_t c = 0; c < of.distances.size(); ++c) {
+        rows += fmt::format("{}", of.distances[c]);
         for (const Study* study : {&of.standOffs, &of.standOffsMixed}) {
             for (const Pool& pool : study->pools[c]) {
-                const auto count = pool.score.total().standingOff(distances[c], distances[c]);
+                const auto count = pool.score.total().standingOff(of.distances[c], of.distances[c]);
                 rows += fmt::format("\t{:.4f}", percent(count.keptShare()));
             }
         }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr auto opening = R"(# Accuracy, {date}
 
-Made by `./dev bench accuracy --scans {scans} --seed {seed}`, compiled with GCC {compiler}: {scans} scans
+Made by `./dev bench accuracy {quick}--scans {scans} --seed {seed}`, compiled with GCC {compiler}: {scans} scans
 of fresh scenes per noise level and per other condition, seed {seed}. The scenes are random rooms,
 corridors and corners with people and boxes before the walls, half-open doors and small rooms behind
 them. Ranges are noisy by 2 cm, the map's walls are drawn 1 cm off, the scanner leans by up to 2 degrees
@@ -41,7 +41,10 @@ std::string scannerSections(const ScannerStudies& of, size_t index, const std::s
     text += standOffTable(of);
     text += "\nStated standard deviations that are not the true ones, at 1 deg, 3 cm:\n\n";
     text += conditionTable(of.lies);
-    text += "\nThe same over all levels:\n\n";
+    text +=
+        "\nThe same over all levels. Where the statement exceeds `matching.max_heading_error_deg` "
+        "or "
+        "`matching.max_position_radius_m`, the scan is kept whole:\n\n";
     text += conditionTable(of.liesMixed);
     text += "\nPoses that are wrong by far more than the 0.5 deg and 3 cm that they state:\n\n";
     text += conditionTable(of.blunders);
@@ -67,9 +70,10 @@ std::string tableOf(const std::vector<Bound>& bounds) {
 }
 
 std::string reportOf(const Studies& studies, const Extent& extent, const std::string& date) {
-    std::string text =
-        fmt::format(opening, fmt::arg("date", date), fmt::arg("scans", extent.scans),
-                    fmt::arg("seed", extent.seed), fmt::arg("compiler", __VERSION__));
+    std::string text = fmt::format(opening, fmt::arg("date", date),
+                                   fmt::arg("quick", extent.quick ? "--quick " : ""),
+                                   fmt::arg("scans", extent.scans), fmt::arg("seed", extent.seed),
+                                   fmt::arg("compiler", __VERSION__));
     for (size_t i = 0; i < studies.scanners.size(); ++i) {
         text += scannerSections(studies.scanners[i], i, "accuracy-" + date);
     }

@@ -16,13 +16,17 @@ using evaluation::Scene;
 
 Scene anyScene(uint64_t seed) { return evaluation::randomScene(seed); }
 
-std::vector<Localisation> allLevels(bool quick, double stated = 1) {
+std::vector<Localisation> allLevels(bool quick) {
     std::vector<Localisation> localisations;
     for (const NoiseLevel& level : noiseLevels(quick)) {
         localisations.push_back(level.localisation());
-        localisations.back().stated = stated;
     }
     return localisations;
+}
+
+std::vector<int> distancesOf(bool quick) {
+    if (quick) return {10, 20};
+    return {3, 5, 7, 10, 15, 20, 30, 50};
 }
 
 Study cells(const Instrument& instrument, bool quick) {
@@ -33,10 +37,10 @@ Study cells(const Instrument& instrument, bool quick) {
     return study;
 }
 
-Study standOffs(const Instrument& instrument, bool quick,
+Study standOffs(const Instrument& instrument, const std::vector<int>& distances,
                 const std::vector<Localisation>& localisations) {
     Study study;
-    for (const int centimetres : standOffsOf(quick)) {
+    for (const int centimetres : distances) {
         const auto scene = [centimetres](uint64_t seed) {
             return evaluation::randomScene(seed, {.standOffs = {0.01 * centimetres}});
         };
@@ -83,15 +87,9 @@ Scene paperCorridorScene() {
     return scene;
 }
 
-/// Walls to either side and a person in between; the ends are further than any scanner sees.
+/// With a person, so that there is something to be kept besides floor and ceiling.
 Scene bareCorridorScene() {
-    constexpr double height = 2.5, half = 1, length = 500;  // [m]
-    Scene scene;
-    scene.world.addFloor();
-    scene.world.addCeiling(height);
-    for (const double y : {-half, half}) {
-        scene.world.addMappedPanel({{{-length, y}, {length, y}}, {0, height}});
-    }
+    Scene scene{evaluation::bareCorridor(), {}};
     scene.world.addObject(evaluation::personAt({3, 0.4}));
     scene.sensor.sensorInMap.setFromValues(0, 0, 0.6);
     return scene;
@@ -131,11 +129,12 @@ Studies runStudies(const std::vector<Instrument>& instruments, const Extent& ext
     Studies studies;
     const std::vector middle{middleLevel.localisation()};
     const auto all = allLevels(extent.quick);
+    const auto distances = distancesOf(extent.quick);
     for (const Instrument& instrument : instruments) {
-        studies.scanners.push_back(
-            {instrument.name, cells(instrument, extent.quick),
-             standOffs(instrument, extent.quick, middle), standOffs(instrument, extent.quick, all),
-             lies(instrument, middle), lies(instrument, all), blunders(instrument)});
+        studies.scanners.push_back({instrument.name, distances, cells(instrument, extent.quick),
+                                    standOffs(instrument, distances, middle),
+                                    standOffs(instrument, distances, all), lies(instrument, middle),
+                                    lies(instrument, all), blunders(instrument)});
     }
     studies.corridors = corridors(instruments.front());
 
@@ -168,11 +167,6 @@ std::vector<NoiseLevel> noiseLevels(bool quick) {
         for (const int position : {1, 3, 5, 10}) levels.push_back({heading, position});
     }
     return levels;
-}
-
-std::vector<int> standOffsOf(bool quick) {
-    if (quick) return {10, 20};
-    return {3, 5, 7, 10, 15, 20, 30, 50};
 }
 
 }  // namespace offmap::accuracy

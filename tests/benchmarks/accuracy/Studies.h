@@ -20,12 +20,13 @@ struct Study {
 /// All that is asked of one scanner, in random scenes.
 struct ScannerStudies {
     std::string scanner;
-    Study cells;           ///< noise of the localisation, one level each
-    Study standOffs;       ///< all objects at one distance before a wall, at the middle level
-    Study standOffsMixed;  ///< the same, over all levels
-    Study lies;            ///< stated standard deviations too small or too large, middle level
-    Study liesMixed;       ///< the same, over all levels
-    Study blunders;        ///< wrong poses with a small covariance stated
+    std::vector<int> distances;  ///< [cm] before a wall, those of the stand-off studies
+    Study cells;                 ///< noise of the localisation, one level each
+    Study standOffs;             ///< all objects at one distance before a wall, at the middle level
+    Study standOffsMixed;        ///< the same, over all levels
+    Study lies;       ///< stated standard deviations too small or too large, middle level
+    Study liesMixed;  ///< the same, over all levels
+    Study blunders;   ///< wrong poses with a small covariance stated
 };
 
 struct Studies {
@@ -59,8 +60,5 @@ struct NoiseLevel {
 std::vector<NoiseLevel> noiseLevels(bool quick);
 
 inline constexpr NoiseLevel middleLevel{1, 3};
-
-/// [cm] before a wall
-std::vector<int> standOffsOf(bool quick);
 
 }  // namespace offmap::accuracy

@@ -88,12 +88,11 @@ std::string standOffTable(const ScannerStudies& of) {
         for (const auto method : methods) table += fmt::format(" {}, {} |", nameOf(method), levels);
     }
     table += "\n|---|---|---|---|---|---|---|\n";
-    const auto distances = standOffsOf(of.standOffs.conditions.size() < 8);
-    for (size_t c = 0; c < distances.size(); ++c) {
-        table += fmt::format("| {} cm |", distances[c]);
+    for (size_t c = 0; c < of.distances.size(); ++c) {
+        table += fmt::format("| {} cm |", of.distances[c]);
         for (const Study* study : {&of.standOffs, &of.standOffsMixed}) {
             for (const Pool& pool : study->pools[c]) {
-                const auto count = pool.score.total().standingOff(distances[c], distances[c]);
+                const auto count = pool.score.total().standingOff(of.distances[c], of.distances[c]);
                 table += fmt::format(" {} |", percentOf(count.keptShare()));
             }
         }
