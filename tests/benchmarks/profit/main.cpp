@@ -52,20 +52,20 @@ void printIntroduction() {
     fmt::print(
         "# Profit for the next stage, {:%Y-%m-%d}\n\n"
         "`./dev bench profit` made this table. Object detection often begins with Euclidean\n"
-        "clustering. Here it is given whole scans, and what method `aligned` leaves of them. Mean\n"
-        "of the scans; time of one processor core, the fastest of three runs. Range noise {} m; "
-        "the\n"
-        "pose is off by, and stated with, sigmas of {} m and {} degrees.\n\n"
-        "Clustering: points nearer than 0.2 m (paper), 0.3 m (VLP-16), 0.1 m (128 x 2048) belong\n"
-        "together, {} are a cluster. Points within {} m of floor and ceiling are dropped first, "
-        "of\n"
-        "both clouds. *Objects*: not on the map, with points enough for a cluster. *Found*: one\n"
-        "cluster has most of the object's points, and most of that cluster's points are the\n"
-        "object's. *Saved*: time of the clustering, less that of reduction and clustering after "
-        "it.\n"
-        "Of the random scenes: the mean of {}.\n\n",
+        "clustering. Here it is given whole scans, and what method `aligned` leaves of them.\n"
+        "Range noise {} m; the pose is off by, and stated with, sigmas of {} m and {} degrees.\n"
+        "All figures are means of the scans, those of the random scenes of {}; times are of one\n"
+        "processor core, the fastest of three runs.\n\n"
+        "- Clustering: points nearer than 0.2 m (paper), 0.3 m (VLP-16), 0.1 m (128 x 2048)\n"
+        "  belong together, {} are a cluster. Points within {} m of floor and ceiling are\n"
+        "  dropped first, of both clouds.\n"
+        "- Objects: surfaces that are not on the map, with points enough for a cluster. Each\n"
+        "  counts by itself: the posts of a fence, the twigs of a bush.\n"
+        "- Found: one cluster has most of the object's points, and they are most of its points.\n"
+        "- Saved: of the time of clustering whole scans, what reduction and clustering together\n"
+        "  take less; negative: they take more.\n\n",
         fmt::localtime(std::time(nullptr)), sigmaRange, sigmaPosition, sigmaHeadingDegrees,
-        minPoints, floorMargin, randomScenes);
+        randomScenes, minPoints, floorMargin);
     fmt::print(
         "| scanner | scene | points | reduced | objects | found | found, reduced | clusters "
         "| clusters, reduced | ms | ms, reduced | ms to reduce | saved |\n"
