@@ -26,7 +26,7 @@ enum class MatchingMethod : uint8_t { Paper, Probabilistic, Aligned };
 
 /// Matching a ground interval to the map (section 3.2, 3.3).
 struct MatchingConfig {
-    MatchingMethod method = MatchingMethod::Paper;
+    MatchingMethod method = MatchingMethod::Aligned;
     double sigmaFactor = 2.0;                      ///< [-] sigmas that an uncertainty is taken as
     double maxRange = 100.0;                       ///< [m] walls further away are not looked for
     double maxPositionRadius = 0.5;                ///< [m] a larger position ellipse cannot be used
