@@ -40,7 +40,9 @@ struct Judgement {
 
 class RealScans : public ReduceFixture {
  protected:
-    RunResult reduceRoom(const std::string& name) { return reduceLog(sharedData("room/" + name)); }
+    RunResult reduceRoom(const std::string& name, const Arguments& more = {}) {
+        return reduceLog(sharedData("room/" + name), more);
+    }
 
     Judgement judge(const mrpt::poses::CPose2D& vehicleInMap) const {
         const auto walls = offmap::maps::readTextMap(map_, 0);
@@ -102,8 +104,12 @@ TEST_F(RealOffice, cloudLosesItsWallsAlone) {
 TEST_F(RealOffice, poseThatLiesIsWarnedOf) {
     const RunResult run = reduceRoom("room2_bad_pose.rawlog");
     EXPECT_EQ(run.exitCode, 0) << testing::PrintToString(run);
-    EXPECT_THAT(run.err, testing::AllOf(HasSubstr("warning: only "), HasSubstr("were removed"),
+    EXPECT_THAT(run.err, testing::AllOf(HasSubstr("warning: 1 of 1 scans contradict"),
                                         HasSubstr("check the poses")));
+    const RunResult paper = reduceRoom("room2_bad_pose.rawlog", {"--method", "paper", "--force"});
+    EXPECT_EQ(paper.exitCode, 0) << testing::PrintToString(paper);
+    EXPECT_THAT(paper.err, testing::AllOf(HasSubstr("warning: only "), HasSubstr("were removed"),
+                                          HasSubstr("check the poses")));
 }
 
 TEST_F(RealScans, outdoorSampleIsReduced) {

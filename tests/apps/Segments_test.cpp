@@ -73,7 +73,10 @@ TEST_F(Segments, pointsAreThoseOfTheReport) {
     for (const Row& row : table.rows) {
         const std::string& reason = table.at(row, "reason");
         const std::string& fate = reason.empty() ? table.at(row, "verdict") : reason;
-        points[table.at(row, "scan")][fate] += std::stoull(table.at(row, "points"));
+        const uint64_t all = std::stoull(table.at(row, "points"));
+        const uint64_t gone = std::stoull(table.at(row, "points_removed"));
+        points[table.at(row, "scan")][fate] += reason.empty() ? gone : all;
+        if (reason.empty()) points[table.at(row, "scan")]["kept_off_wall"] += all - gone;
     }
     const json report = json::parse(readFile(report_));
     ASSERT_EQ(report["scans"].size(), 6U);
@@ -82,6 +85,7 @@ TEST_F(Segments, pointsAreThoseOfTheReport) {
         EXPECT_GT(ofScan["mapped_by_ray"], 0U);
         EXPECT_EQ(ofScan["mapped_by_ray"], scan["points_removed_by_ray"]);
         EXPECT_EQ(ofScan["mapped_by_extension"], scan["points_removed_by_extension"]);
+        EXPECT_EQ(ofScan["kept_off_wall"], scan["points_kept_off_wall"]);
         EXPECT_EQ(ofScan["removed_as_orphan"], scan["points_removed_as_orphans"]);
         for (const auto& [reason, kept] : scan["points_kept_by_reason"].items()) {
             EXPECT_EQ(ofScan[reason], kept) << reason;

@@ -185,6 +185,7 @@ RC_GTEST_PROP(MatchByRayLaws, largerCovarianceNeverUnmatches, ()) {
 
 TEST(FaultOf, limitsWhatIsTooUncertain) {
     MatchingConfig limits = config;
+    limits.method = MatchingMethod::Paper;
     limits.maxPositionRadius = 0.5;
     limits.maxHeadingError = mrpt::DEG2RAD(15.0);
     EXPECT_FALSE(faultOf(viewpoint(mrpt::DEG2RAD(7.4)), limits));

@@ -114,6 +114,7 @@ TEST(Reducer, poseTooUncertainKeepsTheScan) {
         column.sensor->groundCovariance(0, 0) = 0.3 * 0.3;  // two sigmas: 0.6 m of at most 0.5 m
     }
     ReductionConfig config;
+    config.matching.method = MatchingMethod::Paper;
     config.matching.sigmaFactor = 2;
     config.matching.maxPositionRadius = 0.5;
     Reducer reducer(room.map, config);

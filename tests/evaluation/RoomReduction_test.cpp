@@ -95,7 +95,8 @@ TEST(RoomReduction, withoutNoiseEveryLabelIsExact) {
     const World world = officeRoom();
     const core::LineMap map(mapOf(world));
     const auto simulated = simulate(world, paperScanner(), poseInRoom(), {}, 1);
-    const core::ReductionConfig config;
+    core::ReductionConfig config;
+    config.matching.method = core::MatchingMethod::Paper;  // looks at segments only
     core::Reducer reducer(map, config);
     const auto& labels = reducer.reduce(simulated.scan).labels;
     size_t onWalls = 0;
@@ -113,6 +114,31 @@ TEST(RoomReduction, withoutNoiseEveryLabelIsExact) {
         }
     }
     EXPECT_GT(onWalls, 8000u);  // of 32,761 returns
+}
+
+/// As above, but scraps of wall beside a segment go with it.
+TEST(RoomReduction, withoutNoiseAlignedRemovesAllSegmentsOfWallsAndNothingElse) {
+    const World world = officeRoom();
+    const core::LineMap map(mapOf(world));
+    const auto simulated = simulate(world, paperScanner(), poseInRoom(), {}, 1);
+    const core::ReductionConfig config;
+    core::Reducer reducer(map, config);
+    const auto& labels = reducer.reduce(simulated.scan).labels;
+    for (const Stretch& stretch : stretchesOf(simulated, config.vertical)) {
+        const bool segment = makesSegment(stretch, simulated.scan, config.vertical);
+        for (uint32_t i = stretch.begin; i < stretch.end; ++i) {
+            const bool gone = labels[i] == PointLabel::Mapped;
+            if (stretch.mapped && segment) {
+                EXPECT_TRUE(gone) << "point " << i;
+            }
+            const bool alone = stretch.end == stretch.begin + 1;
+            const bool atTheWall =
+                alone && offTheMap(map, simulated.scan.points[i]) <= config.vertical.maxPointToLine;
+            if (!stretch.mapped && !atTheWall) {
+                EXPECT_FALSE(gone) << "point " << i;
+            }
+        }
+    }
 }
 
 TEST(RoomReduction, withoutNoiseNothingOffTheMapIsRemovedWhateverTheScanner) {

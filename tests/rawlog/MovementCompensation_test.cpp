@@ -47,7 +47,10 @@ class MovementCompensation : public testing::Test {
     /// Of all returns.
     double removedShare(const Turn& turn, const ScanClass& scanClass, const PoseSource& poses) {
         const core::LineMap map(mapOf(evaluation::officeRoom()));
-        TurnReducer reducer(map, poses, {}, OutputClass::Same);
+        // The paper's method takes poses at their word; aligned would mend a part of the error.
+        Config config;
+        config.reduction.matching.method = core::MatchingMethod::Paper;
+        TurnReducer reducer(map, poses, config, OutputClass::Same);
         const TurnRecord record = reducer.reduce(turn, scanClass).record;
         return static_cast<double>(record.removed()) / static_cast<double>(record.counts.returns);
     }

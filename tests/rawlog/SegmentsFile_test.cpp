@@ -102,7 +102,9 @@ TEST(SegmentsFile, agreesWithAScanSolvedByHand) {
     for (int i = 0; i <= 20; ++i) {
         cloud->pointcloud->insertPoint(5, 0, -0.5F + 0.05F * static_cast<float>(i));
     }
-    TurnReducer reducer(map, poses, {}, OutputClass::Same);
+    Config config;
+    config.reduction.matching.method = core::MatchingMethod::Paper;
+    TurnReducer reducer(map, poses, config, OutputClass::Same);
     SmallTurn small("CLOUD");
     small.turn = reducer.reduce({cloud}, *scanClassOf(*cloud, {}));
     small.turn.record.label = "CLOUD";

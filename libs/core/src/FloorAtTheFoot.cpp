@@ -13,8 +13,8 @@ constexpr double levelTolerance = 0.03;
 /// [m] A floor's next return is at least so much nearer to the sensor, or further, than its last.
 constexpr double leastStep = 0.1;
 
-/// Sigmas of a single range that a return has to stand before the wall: an end of a wall may well
-/// happen to be at the height of the floor.
+/// Sigmas of a single range that a return has to stand before its segment: an end of a wall may
+/// well happen to be at the height of the floor.
 constexpr double clearlyBefore = 0.5;
 
 class FootOfTheWall {
@@ -25,7 +25,10 @@ class FootOfTheWall {
           wall_(offsets.wall(wall)),
           column_(offsets.corrected(segment.column)),
           normal_(
-              normalAwayFrom(segment.centre, wall_, column_.place(offsets.seen(segment.begin)))) {}
+              normalAwayFrom(segment.centre, wall_, column_.place(offsets.seen(segment.begin)))),
+          segmentBehind_(distanceBehind(
+              column_.place({segment.centre, 0.5 * (segment.bottom.y + segment.top.y)}), wall_,
+              normal_)) {}
 
     /// Keeps returns from one end inwards. \param next the return beside that end
     void keep(uint32_t next, uint32_t first, int inwards, std::span<PointLabel> labels) const {
@@ -37,7 +40,8 @@ class FootOfTheWall {
                 std::abs(column_.height(here) - column_.height(beside)) < levelTolerance;
             const bool apart = std::abs(here.ground.norm() - beside.ground.norm()) > leastStep;
             const double behind = distanceBehind(column_.place(here), wall_, normal_);
-            if (!level || !apart || behind > -clearlyBefore * offsets_.sigmaRange(i)) return;
+            const double before = segmentBehind_ - behind;
+            if (!level || !apart || before < clearlyBefore * offsets_.sigmaRange(i)) return;
             labels[i] = PointLabel::Kept;
         }
     }
@@ -48,6 +52,7 @@ class FootOfTheWall {
     const Wall& wall_;
     CorrectedColumn column_;
     mrpt::math::TPoint2D normal_;
+    double segmentBehind_;  // [m] its middle, behind the wall
 };
 
 }  // namespace

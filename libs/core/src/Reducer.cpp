@@ -95,7 +95,8 @@ std::optional<PoseCorrection> Reducer::Workspace::correct(const OrganizedScan& s
     if (sights.empty()) return std::nullopt;
     const auto& first = *scan.columns[result.segments[sights.front().segment].column].sensor;
     const mrpt::math::TPoint2D pivot(first.sensorInMap.x(), first.sensorInMap.y());
-    if (config.matching.method == MatchingMethod::Probabilistic) {
+    // Off the map, the gates find nothing and say so.
+    if (config.matching.method == MatchingMethod::Probabilistic || result.notReduced) {
         return uncorrected(pivot, first.groundCovariance, config.alignment);
     }
     result.alignment = align(sights, map, pivot, first.groundCovariance, config.alignment);
@@ -171,6 +172,11 @@ void Reducer::reduceByGates(const OrganizedScan& scan) {
     ReductionResult& result = work_->result;
     const auto correction = work_->correct(scan, map_, config_);
     if (correction) work_->matchByGates(*correction, map_, config_);
+    if (correction && config_.orphan.remove) {
+        work_->byColumn.build(result.segments, work_->viewpoints);
+        removeOrphans(ColumnRing(scan), result.segments, work_->byColumn, config_.orphan,
+                      result.matches);
+    }
     work_->labelPoints(scan.points.size());
     if (!correction) return;
     const ReturnOffsets offsets(scan, work_->levelled, work_->places, *correction, map_,

@@ -16,28 +16,22 @@ constexpr uint32_t countedReturns = 15;
 
 double dot(const TPoint2D& a, const TPoint2D& b) { return a.x * b.x + a.y * b.y; }
 
-/// Ground range at which the segment's beam meets the wall, and what may be off by the gate; none
-/// along the wall, where a ray says nothing.
-std::optional<Interval> predictedBy(const WallOffset& offset, const Interval& measured,
-                                    double across, double gate) {
-    constexpr double grazing = 0.05;  // sine of the incidence angle
-    if (across < grazing) return std::nullopt;
-    return Interval::around(measured.centre() - offset.behind / across,
-                            gate * offset.sigma / across);
+/// Sine of the incidence angle below which a ray along a wall says nothing of ground ranges.
+constexpr double grazing = 0.05;
+
+double noiseOf(const WallSight& sight, const AlignmentConfig& config) {
+    const double sigma = sight.rangeSigma.value_or(config.sigmaRange);
+    return sigma * sigma / std::min(sight.returns, countedReturns);
 }
 
-/// What a ray through the segment tells of one that stands on no wall.
-void explainKept(const WallSight& sight, const PoseCorrection& correction, const LineMap& map,
-                 const MatchingConfig& config, SegmentMatch& match) {
-    const TPoint2D from = correction.apply(sight.place, {{0, 0}, 0});
-    const TPoint2D ray = correction.apply(sight.place, sight.middle()) - from;
-    const double range = ray.norm();
-    match.reason = KeepReason::NoWallOnRay;
-    if (!(range > 0)) return;
-    const auto hit = map.castRay(from, ray * (1 / range), config.maxRange, sight.heightInMap);
-    if (!hit) return;
-    match.wall = hit->wall;
-    match.reason = range < hit->range ? KeepReason::InFrontOfWall : KeepReason::BehindWall;
+/// Notes what the map has a wall for at the ground range that the segment is `behind` of, across
+/// the wall, and what may be off by the gate. \param across sine of the incidence angle
+void predict(double behind, double sigma, double across, double gate, SegmentMatch& match) {
+    match.residual = sigma > 0 ? behind / sigma : 0;
+    match.predicted.reset();
+    if (across < grazing) return;
+    match.predicted =
+        Interval::around(match.measured.centre() - behind / across, gate * sigma / across);
 }
 
 }  // namespace
@@ -59,6 +53,31 @@ WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction, const 
     return {distanceBehind(place, wall, normal), distanceTo(wall, place), std::sqrt(variance)};
 }
 
+namespace {
+
+/// What a ray through the segment tells of one that stands on no wall.
+void explainKept(const WallSight& sight, const PoseCorrection& correction, const LineMap& map,
+                 const ReductionConfig& config, SegmentMatch& match) {
+    const CorrectedColumn column(correction, sight.place);
+    const TPoint2D from = column.place({{0, 0}, 0});
+    TPoint2D ray = column.place(sight.middle()) - from;
+    const double range = ray.norm();
+    match.reason = KeepReason::NoWallOnRay;
+    if (!(range > 0)) return;
+    ray = ray * (1 / range);
+    const auto hit = map.castRay(from, ray, config.matching.maxRange, sight.heightInMap);
+    if (!hit) return;
+    match.wall = hit->wall;
+    match.reason = range < hit->range ? KeepReason::InFrontOfWall : KeepReason::BehindWall;
+    const double across = std::sin(hit->incidence);
+    const WallOffset offset =
+        offsetFrom(map.walls()[hit->wall], correction, sight.place, sight.middle(), sight.beam,
+                   noiseOf(sight, config.alignment));
+    predict((range - hit->range) * across, offset.sigma, across, config.alignment.gate, match);
+}
+
+}  // namespace
+
 SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
                          const PoseCorrection& correction, const LineMap& map,
                          const ReductionConfig& config) {
@@ -68,22 +87,19 @@ SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
     const auto near = map.nearestWall(place, widestGate, sight.heightInMap);
     if (near) {
         const Wall& wall = map.walls()[near->wall];
-        const double sigma = sight.rangeSigma.value_or(config.alignment.sigmaRange);
-        const double noise = sigma * sigma / std::min(sight.returns, countedReturns);
-        const WallOffset offset =
-            offsetFrom(wall, correction, sight.place, sight.middle(), sight.beam, noise);
+        const WallOffset offset = offsetFrom(wall, correction, sight.place, sight.middle(),
+                                             sight.beam, noiseOf(sight, config.alignment));
         const double gate = config.alignment.gate;
-        match.residual = offset.sigma > 0 ? offset.behind / offset.sigma : 0;
-        match.predicted = predictedBy(
-            offset, measured, dot(normalAwayFrom(sight.beam, wall, place), sight.beam), gate);
         if (offset.distance <= gate * offset.sigma) {
+            const double across = dot(normalAwayFrom(sight.beam, wall, place), sight.beam);
+            predict(offset.behind, offset.sigma, across, gate, match);
             match.verdict = Verdict::MappedByRay;
             match.reason = KeepReason::None;
             match.wall = near->wall;
             return match;
         }
     }
-    explainKept(sight, correction, map, config.matching, match);
+    explainKept(sight, correction, map, config, match);
     return match;
 }
 
