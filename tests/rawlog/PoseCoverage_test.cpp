@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Scans.h"
 
-#include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/PoseCoverage.h>
 #include <offmap/rawlog/PoseTrack.h>
 
@@ -29,8 +28,8 @@ TEST(PoseCoverage, countsWhatReductionWouldUseAndWhyNot) {
     // The last two are an ellipse of 1.6 m; 0.5 m is the limit.
     const PoseTrack track(
         {pose(0, 0, 0.02), pose(2, 10, 0.02), pose(3, 15, 0.8), pose(3.5, 15, 0.8)}, 0.5);
-    Config config;
-    config.reduction.matching.method = offmap::core::MatchingMethod::Paper;
+    offmap::core::MatchingConfig config;
+    config.method = offmap::core::MatchingMethod::Paper;
     PoseCoverage coverage(track, config);
     const mrpt::poses::CPose3D mounting;
     for (const double time : {0.0, 0.4, 2.0, 3.2, 3.4, 9.0}) coverage.add(at(time), mounting);

