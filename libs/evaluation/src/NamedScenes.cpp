@@ -20,7 +20,7 @@ constexpr NamedScene namedScenes[] = {
     {"corridor", [](uint64_t) { return sceneAt(corridor(), 4, 0, 0.6); }},
     {"parking_lot", [](uint64_t) { return sceneAt(parkingLot(), 0, 0, 1.0); }},
     {"bare_corridor", [](uint64_t) { return sceneAt(bareCorridor(), 0, 0.2, 0.8); }},
-    {"curved_hall", [](uint64_t) { return sceneAt(curvedHall(), -1, -2, 0.8); }},
+    {"curved_hall", [](uint64_t) { return sceneAt(curvedHall(0), -1, -2, 0.8); }},
     {"random_room", [](uint64_t seed) { return randomRoom(seed); }},
     {"random_corridor", [](uint64_t seed) { return randomCorridor(seed); }},
     {"random_corner", [](uint64_t seed) { return randomCorner(seed); }},
