@@ -48,7 +48,8 @@ bool comesNear(const core::Wall& wall, const TBoundingBox& extent) {
 /// How many straight pieces look like the wall.
 int piecesOf(const core::Wall& wall) {
     constexpr double angle = 0.1;  // [rad] of a piece that looks straight
-    return std::max(1, static_cast<int>(std::abs(wall.curvature) * core::lengthOf(wall) / angle));
+    const double turn = std::abs(wall.curvature) * core::lengthOf(wall);
+    return std::max(1, static_cast<int>(std::ceil(turn / angle)));
 }
 
 void addWall(const core::Wall& wall, const TBoundingBox& extent, mrpt::opengl::CSetOfLines& lines,
