@@ -13,7 +13,7 @@ constexpr auto opening = R"(# Accuracy, {date}
 
 Made by `./dev bench accuracy {quick}--scans {scans} --seed {seed}`, compiled with GCC {compiler}: {scans} scans
 of fresh scenes per noise level and per other condition, seed {seed}. The scenes are random rooms,
-corridors and corners with people and boxes before the walls, half-open doors and small rooms behind
+corridors and corners with people and boxes before the walls, open doors and small rooms behind
 them. Ranges are noisy by 2 cm, the map's walls are drawn 1 cm off, the scanner leans by up to 2 degrees
 in any direction; the pose's error is drawn from the stated covariance unless said otherwise. Scores are
 by the truth of every point, pooled by points, in percent. A point is *mapped* if the map shows the
