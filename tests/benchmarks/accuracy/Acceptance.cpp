@@ -81,9 +81,9 @@ void boundStandOffs(const std::string& level, const Study& standOffs, Bounds& bo
     bounds.atLeast("objects at 20 to 50 cm kept, " + level, kept(further), 99);
 }
 
-void boundTooLarge(const Study& lies, Bounds& bounds) {
+void boundTooLarge(const std::string& level, const Study& lies, Bounds& bounds) {
     for (const char* factor : {"x2", "x4"}) {
-        bounds.atLeast(fmt::format("stated {}, mapped on segments removed", factor),
+        bounds.atLeast(fmt::format("stated {}, mapped on segments removed, {}", factor, level),
                        removed(aligned(lies.at(factor)).score.total().mappedOnSegments), 98);
     }
 }
@@ -142,8 +142,8 @@ std::vector<Bound> boundsOf(const Studies& studies, const Extent& extent) {
         boundCells(of.cells, sparse, bounds);
         boundStandOffs("middle level", of.standOffs, bounds);
         boundStandOffs("all levels", of.standOffsMixed, bounds);
-        // At the other levels, multiples can exceed matching.max_heading_error_deg: not used then.
-        boundTooLarge(of.lies, bounds);
+        boundTooLarge("middle level", of.lies, bounds);
+        boundTooLarge("all levels", of.liesMixed, bounds);
         boundTooSmall("middle level", of.lies, bounds);
         boundTooSmall("all levels", of.liesMixed, bounds);
         // Of 25 scans, 4 may lack the flag.

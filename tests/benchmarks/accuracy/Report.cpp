@@ -42,9 +42,9 @@ std::string scannerSections(const ScannerStudies& of, size_t index, const std::s
     text += "\nStated standard deviations that are not the true ones, at 1 deg, 3 cm:\n\n";
     text += conditionTable(of.lies);
     text +=
-        "\nThe same over all levels. Where the statement exceeds `matching.max_heading_error_deg` "
-        "or "
-        "`matching.max_position_radius_m`, the scan is kept whole:\n\n";
+        "\nThe same over all levels. `paper` makes no use of what exceeds "
+        "`matching.max_heading_error_deg` "
+        "or `matching.max_position_radius_m`:\n\n";
     text += conditionTable(of.liesMixed);
     text += "\nPoses that are wrong by far more than the 0.5 deg and 3 cm that they state:\n\n";
     text += conditionTable(of.blunders);
