@@ -99,8 +99,8 @@ TEST(RangeSigma, ofEachReturnRemovesNoisyWallsToo) {
     EXPECT_GT(table.darkRemoved, 0.95);
     EXPECT_GT(table.brightRemoved, 0.98);
     EXPECT_LT(single.darkRemoved, 0.5);
-    // Where two walls of one column meet at a corner, returns may change sides: 0.5 % of them at
-    // most, the columns at the room's four corners being 1 % of all.
+    // Returns at a wall's foot, or just over a box, may change sides with the pose: one in each
+    // of 180 columns of bright wall would be 1 %, half of them 0.5 %.
     EXPECT_GT(table.brightRemoved, single.brightRemoved - 0.005);
     EXPECT_LT(table.unmappedRemoved, 0.001);
 }
