@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 
 namespace offmap::app {
 
@@ -63,8 +64,9 @@ std::vector<std::string> scanLines(const evaluation::PooledScore& score) {
     std::string mapped = fmt::format("{:<28}", "mapped, removed");
     std::string unmapped = fmt::format("{:<28}", "not mapped, removed");
     for (const double share : {0.05, 0.5, 0.95}) {
-        mapped += percentText(score.mappedRemoved(share)) + " ";
-        unmapped += percentText(score.unmappedRemoved(share)) + " ";
+        const std::string_view gap = share < 0.5 ? "" : " ";
+        mapped.append(gap) += percentText(score.mappedRemoved(share));
+        unmapped.append(gap) += percentText(score.unmappedRemoved(share));
     }
     lines.insert(lines.end(), {mapped, unmapped});
     return lines;

@@ -141,6 +141,27 @@ TEST_F(Score, logInFramesIsScored) {
     EXPECT_EQ(scoreOf(in_)["unmapped"]["kept_share"], 1);
 }
 
+TEST_F(Score, simulatedLogAndItsComplementAddUp) {
+    const Path sim = folder_ / "sim";
+    const Arguments options{"--class", "sweep", "--scans", "1", "--seed", "5"};
+    Arguments simulate{"simulate", "random_room", "-o", sim};
+    simulate.insert(simulate.end(), options.begin(), options.end());
+    ASSERT_EQ(runOffmap(simulate).exitCode, 0);
+    truth_ = sim / "truth.csv.gz";
+    map_ = sim / "map.lines";
+    ASSERT_EQ(reduceLog(sim / "scans.rawlog", {"--removed", removed_}).exitCode, 0);
+    const auto kept = scoreOf(out_), removed = scoreOf(removed_);
+    EXPECT_GT(kept["geometric_mean"], 0.8);
+    for (const char* which : {"mapped", "mapped_on_vertical_segments"}) {
+        const uint64_t both =
+            kept[which]["removed"].get<uint64_t>() + removed[which]["removed"].get<uint64_t>();
+        EXPECT_EQ(both, kept[which]["points"]) << which;
+    }
+    const uint64_t both =
+        kept["unmapped"]["kept"].get<uint64_t>() + removed["unmapped"]["kept"].get<uint64_t>();
+    EXPECT_EQ(both, kept["unmapped"]["points"]);
+}
+
 TEST_F(Score, helpTellsWhatItTakes) {
     const RunResult run = runOffmap({"score", "--help"});
     EXPECT_EQ(run.exitCode, 0);
