@@ -47,6 +47,7 @@ TEST_F(BadSimulation, numbersOutOfReachAreTold) {
     expectUsageError({"--map-error", "inf"}, HasSubstr("--map-error: 'inf'"));
     expectUsageError({"--stated-factor", "0"}, HasSubstr("--stated-factor: '0'"));
     expectUsageError({"--scans", "0"}, HasSubstr("--scans: '0'"));
+    expectUsageError({"--seed", "-1"}, HasSubstr("--seed: '-1' is negative"));
     expectUsageError({"--speed", "-1"}, HasSubstr("--speed: '-1'"));
     expectUsageError({"--pose-sigma", "0.1"}, HasSubstr("--pose-sigma is '0.1', but must be"));
     expectUsageError({"--pose-sigma", "0.1,-1"}, HasSubstr("0 to 10 m, 0 to 90 degrees"));

@@ -27,6 +27,11 @@ auto between(double low, double high) {
     };
 }
 
+/// CLI11 takes -1 for the largest number.
+std::string notNegative(const std::string& text) {
+    return text.starts_with('-') ? fmt::format("'{}' is negative", text) : "";
+}
+
 }  // namespace
 
 void SimulateOptions::addTo(CLI::App& command) {
@@ -52,7 +57,9 @@ void SimulateOptions::addTo(CLI::App& command) {
     command.add_option("--scans", scans, "Turns, from places along a drive (10)")
         ->check(between(1, 1e6))
         ->type_name("N");
-    command.add_option("--seed", seed, "Of all that is random (1)")->type_name("N");
+    command.add_option("--seed", seed, "Of all that is random (1)")
+        ->check(notNegative)
+        ->type_name("N");
     const auto number = [&command](const char* name, double& value, double low, double high,
                                    const char* unit, const char* text) {
         command.add_option(name, value, text)->check(between(low, high))->type_name(unit);
