@@ -23,7 +23,9 @@ void SharedOptions::addTo(CLI::App& command) {
                     "Where the map's origin stands in the frame of the poses")
         ->type_name("X,Y,YAW_DEG")
         ->check(notEmpty);
-    command.add_option("--method", method, "Matching method: aligned, probabilistic or paper (matching.method)")
+    command
+        .add_option("--method", method,
+                    "Matching method: aligned, probabilistic or paper (matching.method)")
         ->type_name("METHOD");
     command
         .add_option("--config", config,

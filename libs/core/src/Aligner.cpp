@@ -119,7 +119,7 @@ NormalEquations Aligner::look(const PoseCorrection& at, double priorShare, size_
 Vector5 Aligner::step(Alignment& out, double priorShare, size_t mostSights) {
     const NormalEquations equations = look(out.correction, priorShare, mostSights);
     const Eigen::LDLT<Matrix5> solver(equations.information);
-    const Vector5 change = -solver.solve(equations.slope);
+    Vector5 change = -solver.solve(equations.slope);
     out.correction.mean += change;
     out.correction.covariance = solver.solve(Matrix5::Identity());
     out.fittedShare = equations.fittedShare;

@@ -42,7 +42,7 @@ class Aligner {
  private:
     double openAt(const WallSight& sight) const;
     double widestOpen() const;
-    std::optional<Candidate> candidate(uint32_t sight, const PoseCorrection& at, double priorShare,
+    std::optional<Candidate> candidate(uint32_t index, const PoseCorrection& at, double priorShare,
                                        bool& fits) const;
     NormalEquations look(const PoseCorrection& at, double priorShare, size_t mostSights);
     Vector5 step(Alignment& out, double priorShare, size_t mostSights);
