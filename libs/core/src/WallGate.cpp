@@ -44,9 +44,10 @@ double varianceOfSight(const WallSight& sight, const TPoint2D& normal,
 
 WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction, const ColumnPlace& column,
                       const SeenPoint& point, const TPoint2D& beam, double noise) {
-    const TPoint2D place = correction.apply(column, point);
+    const CorrectedColumn corrected(correction, column);
+    const TPoint2D place = corrected.place(point);
     const TPoint2D normal = normalAwayFrom(beam, wall, place);
-    const Vector5 gradient = correction.gradient(column, point, normal);
+    const Vector5 gradient = corrected.gradient(point, normal);
     const double across = dot(normal, beam);
     const double variance = gradient.dot(correction.covariance * gradient) +
                             wall.sigma * wall.sigma + across * across * noise;
