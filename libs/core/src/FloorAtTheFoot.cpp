@@ -15,7 +15,7 @@ constexpr double leastStep = 0.1;
 
 /// Sigmas of a single range that a return has to stand before its segment: an end of a wall may
 /// well happen to be at the height of the floor.
-constexpr double clearlyBefore = 0.5;
+constexpr double clearlyBefore = 0.25;
 
 class FootOfTheWall {
  public:
