@@ -151,6 +151,19 @@ TEST(ScanAlignment, keepsThePriorAlongABareCorridor) {
     EXPECT_LT(std::sqrt(alignment.correction.covariance(1, 1)), 0.03);
 }
 
+// The ends of a long corridor are a few sights among many: that the pose is half a metre off along
+// it shows in them alone.
+TEST(ScanAlignment, doubtsAPoseThatOnlyTheEndsOfACorridorContradict) {
+    const std::vector<test::Slab> corridor = {
+        {{{-9, -1}, {9, -1}}}, {{{-9, 1}, {9, 1}}}, {{{-9, -1}, {-9, 1}}}, {{{9, -1}, {9, 1}}}};
+    const CPose3D along(0, 0, 1.1, 0.2, 0, 0), stated(0.5, 0, 1.1, 0.2, 0, 0);
+    const LineMap map(test::wallsOf(std::span(corridor)));
+    const auto wrong = WrongPose(along, stated, corridor).alignTo(map, statedCovariance(0.03, 0.5));
+    EXPECT_TRUE(wrong.contradictsPrior());
+    const auto right = WrongPose(along, along, corridor).alignTo(map, statedCovariance(0.03, 0.5));
+    EXPECT_FALSE(right.contradictsPrior());
+}
+
 // Turning world and pose together changes nothing in the vehicle's own axes.
 TEST(ScanAlignment, doesNotDependOnTheMapsAxes) {
     const CPose3D turn(0, 0, 0, 0.8, 0, 0), stated(0.45, -0.27, 1.1, 0.22, 0, 0);

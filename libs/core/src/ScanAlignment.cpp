@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace offmap::core {
@@ -13,6 +14,8 @@ namespace offmap::core {
 using mrpt::math::TPoint2D;
 
 namespace {
+
+constexpr double rarely = 16.3;  // chi-square of 3 degrees exceeds it once in a thousand
 
 /// Whether the scan itself tells x, y and heading. One wall, or two that are parallel, fit in many
 /// places.
@@ -33,10 +36,7 @@ bool Alignment::fits(double minFittedShare) const {
            fittedShare >= minFittedShare * (fittedShare + throughShare);
 }
 
-bool Alignment::contradictsPrior() const {
-    constexpr double rarely = 16.3;  // chi-square of 3 degrees exceeds it once in a thousand
-    return priorInflation > 1 || priorChiSquare > rarely;
-}
+bool Alignment::contradictsPrior() const { return priorInflation > 1 || priorChiSquare > rarely; }
 
 PoseCorrection uncorrected(const TPoint2D& pivot, const Eigen::Matrix3d& stated,
                            const AlignmentConfig& config) {
@@ -53,14 +53,16 @@ PoseCorrection uncorrected(const TPoint2D& pivot, const Eigen::Matrix3d& stated,
 
 Alignment align(std::span<const WallSight> sights, const LineMap& map, const TPoint2D& pivot,
                 const Eigen::Matrix3d& stated, const AlignmentConfig& config) {
-    constexpr double clearlyMore = 0.1, nearlyAll = 0.8;  // of the sights
+    constexpr double somewhatMore = 0.02, clearlyMore = 0.1, nearlyAll = 0.8;  // of the sights
     // [rad] A heading less certain is begun with from several sides: far walls are then out of
     // sight of where the prior puts them.
     constexpr double uncertainHeading = 0.02;
     const Eigen::Matrix3d prior =
         uncorrected(pivot, stated, config).covariance.topLeftCorner<3, 3>();
     Alignment best;
+    double widestBetter = 1;  // inflation with which more sights fit, if not clearly more
     for (const double inflation : {1.0, 3.0, 8.0}) {
+        if (inflation == 3.0 && best.fittedShare > nearlyAll) continue;
         const PoseCorrection own = uncorrected(pivot, inflation * inflation * stated, config);
         const double sigmaHeading = std::sqrt(own.covariance(2, 2));
         for (const double turn : {0.0, -1.0, 1.0, -2.0, 2.0}) {
@@ -70,11 +72,17 @@ Alignment align(std::span<const WallSight> sights, const LineMap& map, const TPo
             const Eigen::Vector3d moved = tried.correction.mean.head<3>();
             tried.priorChiSquare = moved.dot(prior.ldlt().solve(moved));
             const bool first = inflation == 1.0 && turn == 0;
-            if (!first && !(tried.fittedShare > best.fittedShare + clearlyMore)) continue;
-            if (inflation == 1.0 || isDetermined(tried.correction)) best = tried;
+            const bool allowed = inflation == 1.0 || isDetermined(tried.correction);
+            if (first || (allowed && tried.fittedShare > best.fittedShare + clearlyMore)) {
+                best = tried;
+            } else if (allowed && tried.priorChiSquare > rarely &&
+                       tried.fittedShare > best.fittedShare + somewhatMore) {
+                widestBetter = inflation;
+            }
         }
-        if (best.fittedShare > nearlyAll) break;
     }
+    // Not clearly enough to move there, but to doubt the pose: an end of a corridor tells little.
+    best.priorInflation = std::max(best.priorInflation, widestBetter);
     best.throughShare = Aligner(sights, map, best.correction, config).throughShare(best.correction);
     return best;
 }
