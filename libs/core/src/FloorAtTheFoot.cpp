@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <offmap/core/PointLevel.h>
+#include "SegmentAtWall.h"
 
 #include <cmath>
 
@@ -22,13 +22,8 @@ class FootOfTheWall {
     FootOfTheWall(const ReturnOffsets& offsets, const VerticalSegment& segment, uint32_t wall)
         : offsets_(offsets),
           segment_(segment),
-          wall_(offsets.wall(wall)),
-          column_(offsets.corrected(segment.column)),
-          normal_(
-              normalAwayFrom(segment.centre, wall_, column_.place(offsets.seen(segment.begin)))),
-          segmentBehind_(distanceBehind(
-              column_.place({segment.centre, 0.5 * (segment.bottom.y + segment.top.y)}), wall_,
-              normal_)) {}
+          atWall_(offsets, segment, wall),
+          segmentBehind_(atWall_.behind(middleOf(segment))) {}
 
     /// Keeps returns from one end inwards. \param next the return beside that end
     void keep(uint32_t next, uint32_t first, int inwards, std::span<PointLabel> labels) const {
@@ -37,10 +32,9 @@ class FootOfTheWall {
              i += static_cast<uint32_t>(inwards)) {
             const SeenPoint here = offsets_.seen(i);
             const bool level =
-                std::abs(column_.height(here) - column_.height(beside)) < levelTolerance;
+                std::abs(atWall_.height(here) - atWall_.height(beside)) < levelTolerance;
             const bool apart = std::abs(here.ground.norm() - beside.ground.norm()) > leastStep;
-            const double behind = distanceBehind(column_.place(here), wall_, normal_);
-            const double before = segmentBehind_ - behind;
+            const double before = segmentBehind_ - atWall_.behind(here);
             if (!level || !apart || before < clearlyBefore * offsets_.sigmaRange(i)) return;
             labels[i] = PointLabel::Kept;
         }
@@ -49,9 +43,7 @@ class FootOfTheWall {
  private:
     const ReturnOffsets& offsets_;
     const VerticalSegment& segment_;
-    const Wall& wall_;
-    CorrectedColumn column_;
-    mrpt::math::TPoint2D normal_;
+    SegmentAtWall atWall_;
     double segmentBehind_;  // [m] its middle, behind the wall
 };
 
@@ -59,14 +51,12 @@ class FootOfTheWall {
 
 void keepFloorAtTheFoot(const ReturnOffsets& offsets, std::span<const VerticalSegment> segments,
                         std::span<const SegmentMatch> matches, std::span<PointLabel> labels) {
-    for (size_t s = 0; s < segments.size(); ++s) {
-        if (!matches[s].mapped() || !matches[s].wall) continue;
-        const VerticalSegment& segment = segments[s];
+    forEachRemoved(segments, matches, [&](const VerticalSegment& segment, uint32_t wall) {
         const ScanColumn& column = offsets.scan().columns[segment.column];
-        const FootOfTheWall foot(offsets, segment, *matches[s].wall);
+        const FootOfTheWall foot(offsets, segment, wall);
         if (segment.begin > column.begin) foot.keep(segment.begin - 1, segment.begin, 1, labels);
         if (segment.end < column.end) foot.keep(segment.end, segment.end - 1, -1, labels);
-    }
+    });
 }
 
 }  // namespace offmap::core

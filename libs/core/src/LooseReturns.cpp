@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <offmap/core/PointLevel.h>
+#include "SegmentAtWall.h"
 
 #include <algorithm>
 #include <vector>
@@ -37,11 +37,9 @@ class RemovedWalls {
     RemovedWalls(size_t columns, std::span<const VerticalSegment> segments,
                  std::span<const SegmentMatch> matches)
         : ofColumn_(columns) {
-        for (size_t s = 0; s < segments.size(); ++s) {
-            if (!matches[s].mapped() || !matches[s].wall) continue;
-            ofColumn_[segments[s].column].push_back(
-                {*matches[s].wall, segments[s].bottom.y, segments[s].top.y});
-        }
+        forEachRemoved(segments, matches, [&](const VerticalSegment& segment, uint32_t wall) {
+            ofColumn_[segment.column].push_back({wall, segment.bottom.y, segment.top.y});
+        });
     }
 
     /// Fills `walls` with those of the columns from `reach` before to `reach` behind, round the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <offmap/core/PointLevel.h>
+#include "SegmentAtWall.h"
 
 namespace offmap::core {
 
@@ -15,8 +15,7 @@ WallOffset ReturnOffsets::of(uint32_t point, uint32_t column, uint32_t wall) con
 }
 
 double ReturnOffsets::commonSigma(const VerticalSegment& segment, uint32_t wall) const {
-    const SeenPoint middle{segment.centre, 0.5 * (segment.bottom.y + segment.top.y)};
-    return offsetFrom(map_.walls()[wall], correction_, places_[segment.column], middle,
+    return offsetFrom(map_.walls()[wall], correction_, places_[segment.column], middleOf(segment),
                       segment.centre, 0)
         .sigma;
 }

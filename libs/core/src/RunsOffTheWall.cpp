@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <offmap/core/PointLevel.h>
+#include "SegmentAtWall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,21 +44,16 @@ bool standsOff(const Run& run, uint32_t count, double common, const ReturnOffset
 
 void keepRunsOffTheWall(const ReturnOffsets& offsets, std::span<const VerticalSegment> segments,
                         std::span<const SegmentMatch> matches, std::span<PointLabel> labels) {
-    for (size_t s = 0; s < segments.size(); ++s) {
-        if (!matches[s].mapped() || !matches[s].wall) continue;
-        const VerticalSegment& segment = segments[s];
-        const Wall& wall = offsets.wall(*matches[s].wall);
-        const CorrectedColumn column = offsets.corrected(segment.column);
-        const auto normal =
-            normalAwayFrom(segment.centre, wall, column.place(offsets.seen(segment.begin)));
-        const double common = offsets.commonSigma(segment, *matches[s].wall);
+    forEachRemoved(segments, matches, [&](const VerticalSegment& segment, uint32_t wall) {
+        const SegmentAtWall atWall(offsets, segment, wall);
+        const double common = offsets.commonSigma(segment, wall);
         Run run;
         const auto end = [&](uint32_t at) {
             if (!standsOff(run, at - run.begin, common, offsets)) return;
             std::fill(labels.begin() + run.begin, labels.begin() + at, PointLabel::Kept);
         };
         for (uint32_t i = segment.begin; i < segment.end; ++i) {
-            const double behind = distanceBehind(column.place(offsets.seen(i)), wall, normal);
+            const double behind = atWall.behind(offsets.seen(i));
             const double sigmaRange = offsets.sigmaRange(i);
             const int side = sideOf(behind, sigmaRange);
             if (i == segment.begin || side != run.side) {
@@ -69,7 +64,7 @@ void keepRunsOffTheWall(const ReturnOffsets& offsets, std::span<const VerticalSe
             run.variances += sigmaRange * sigmaRange;
         }
         end(segment.end);
-    }
+    });
 }
 
 }  // namespace offmap::core

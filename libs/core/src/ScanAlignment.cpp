@@ -57,8 +57,8 @@ Alignment align(std::span<const WallSight> sights, const LineMap& map, const TPo
     // [rad] A heading less certain is begun with from several sides: far walls are then out of
     // sight of where the prior puts them.
     constexpr double uncertainHeading = 0.02;
-    const Eigen::Matrix3d prior =
-        uncorrected(pivot, stated, config).covariance.topLeftCorner<3, 3>();
+    const Eigen::LDLT<Eigen::Matrix3d> prior(
+        uncorrected(pivot, stated, config).covariance.topLeftCorner<3, 3>());
     Alignment best;
     double widestBetter = 1;  // inflation with which more sights fit, if not clearly more
     for (const double inflation : {1.0, 3.0, 8.0}) {
@@ -70,7 +70,7 @@ Alignment align(std::span<const WallSight> sights, const LineMap& map, const TPo
             Alignment tried = Aligner(sights, map, own, config).run(turn * sigmaHeading);
             tried.priorInflation = inflation;
             const Eigen::Vector3d moved = tried.correction.mean.head<3>();
-            tried.priorChiSquare = moved.dot(prior.ldlt().solve(moved));
+            tried.priorChiSquare = moved.dot(prior.solve(moved));
             const bool first = inflation == 1.0 && turn == 0;
             const bool allowed = inflation == 1.0 || isDetermined(tried.correction);
             if (first || (allowed && tried.fittedShare > best.fittedShare + clearlyMore)) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/PointLevel.h>
+#include <offmap/core/WallGeometry.h>
+
+namespace offmap::core {
+
+inline SeenPoint middleOf(const VerticalSegment& segment) {
+    return {segment.centre, 0.5 * (segment.bottom.y + segment.top.y)};
+}
+
+/// A removed segment and the wall that it was removed with.
+class SegmentAtWall {
+ public:
+    SegmentAtWall(const ReturnOffsets& offsets, const VerticalSegment& segment, uint32_t wall)
+        : wall_(offsets.wall(wall)),
+          column_(offsets.corrected(segment.column)),
+          normal_(
+              normalAwayFrom(segment.centre, wall_, column_.place(offsets.seen(segment.begin)))) {}
+
+    /// [m] From the wall, negative in front of it.
+    double behind(const SeenPoint& seen) const {
+        return distanceBehind(column_.place(seen), wall_, normal_);
+    }
+
+    /// [m] Above the sensor, with the lean undone.
+    double height(const SeenPoint& seen) const { return column_.height(seen); }
+
+ private:
+    const Wall& wall_;
+    CorrectedColumn column_;
+    mrpt::math::TPoint2D normal_;
+};
+
+/// Calls visit(segment, wall index) for each segment that was removed with a wall.
+template <class Visit>
+void forEachRemoved(std::span<const VerticalSegment> segments,
+                    std::span<const SegmentMatch> matches, Visit&& visit) {
+    for (size_t s = 0; s < segments.size(); ++s) {
+        if (matches[s].mapped() && matches[s].wall) visit(segments[s], *matches[s].wall);
+    }
+}
+
+}  // namespace offmap::core
