@@ -103,8 +103,7 @@ int reduceBatch(const ReduceJob& job, const std::vector<ReduceFiles>& logs) {
     createFolders(options);
     const InterruptionsHeld held;
     if (!options.quiet) {
-        say(stdout, "map     {}\nlogs    {} into {}\n",
-            describe(job.map, options.shared.map.string()), logs.size(), folder);
+        say(stdout, "{}logs    {} into {}\n", summaryOf(job.map), logs.size(), folder);
     }
     const BatchResult batch = reduceAll(job, logs);
     if (!options.quiet) {

@@ -55,7 +55,8 @@ void addReduceCommand(CLI::App& app, int& exitCode) {
         const std::vector<ReduceFiles> logs = filesOf(*options);
         const rawlog::Config config = options->shared.readConfig();
         requireRefinedPoses(*options, config);
-        const core::LineMap map = options->shared.readMap(config);
+        const LoadedMap map = options->shared.readMap(config);
+        for (const std::string& warning : map.warnings) say(stderr, "warning: {}\n", warning);
         const ReduceJob job{*options, config, map};
         exitCode =
             writesFolders(*options) ? reduceBatch(job, logs) : reduceAlone(job, logs.front());

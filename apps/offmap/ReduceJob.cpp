@@ -85,7 +85,11 @@ ordered_json reportHead(const ReduceJob& job, const std::filesystem::path& input
     ordered_json head;
     head["offmap"] = OFFMAP_VERSION;
     head["input"] = input.string();
-    head["map"] = {{"file", job.options.shared.map.string()}, {"walls", job.map.walls().size()}};
+    head["map"] = {{"file", job.options.shared.map.string()},
+                   {"format", job.map.format},
+                   {"walls", job.map.lines.walls().size()},
+                   {"notes", job.map.notes},
+                   {"warnings", job.map.warnings}};
     head["poses"] = poses.description;
     head["parameters"] = parameters;
     head["sensor_poses"] = sensorPoses;
@@ -128,7 +132,7 @@ rawlog::ReductionTotals writeOutputs(const ReduceJob& job, const LogToReduce& lo
     Progress progress(options.quiet, log.title);
     const auto outputClass =
         options.outputClass == "points" ? rawlog::OutputClass::Points : rawlog::OutputClass::Same;
-    rawlog::TurnReducer reducer(map, poses, config, outputClass);
+    rawlog::TurnReducer reducer(map.lines, poses, config, outputClass);
     rawlog::LogReduction reduction(survey, reducer, config,
                                    {input,
                                     {options.sensors.begin(), options.sensors.end()},
@@ -170,8 +174,7 @@ ReducedLog reduceLog(const ReduceJob& job, const LogToReduce& log, const Readabl
     const rawlog::ChosenPoses poses =
         choosePoses(options.shared, job.config, input, survey, options.keepGoing);
     if (!options.quiet && log.title.empty()) {
-        say(stdout, "map     {}\nposes   {}\n", describe(job.map, options.shared.map.string()),
-            poses.description);
+        say(stdout, "{}poses   {}\n", summaryOf(job.map), poses.description);
     }
 
     outputs.begin(reportHead(job, input, poses));

@@ -4,7 +4,6 @@
 #include "ReadableLog.h"
 #include "ReduceFiles.h"
 
-#include <offmap/core/LineMap.h>
 #include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/GuardedRun.h>
 #include <offmap/rawlog/ReductionTotals.h>
@@ -18,7 +17,7 @@ namespace offmap::app {
 struct ReduceJob {
     const ReduceOptions& options;
     const rawlog::Config& config;
-    const core::LineMap& map;
+    const LoadedMap& map;
 };
 
 /// One of the logs. The title, "2/7 run2.rawlog", is empty for a log by itself.

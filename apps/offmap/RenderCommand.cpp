@@ -85,13 +85,14 @@ int renderGuarded(const RenderOptions& options) {
         throw UsageError(options.output.string() + ": the picture is a PNG; name it so, .png");
     }
     const rawlog::Config config = options.shared.readConfig();
-    const core::LineMap map = options.shared.readMap(config);
+    const LoadedMap map = options.shared.readMap(config);
+    for (const std::string& warning : map.warnings) say(stderr, "warning: {}\n", warning);
     if (!options.force && std::filesystem::exists(options.output)) {
         throw std::runtime_error(options.output.string() + " exists already; --force replaces it");
     }
     const rawlog::GuardedOutcome outcome =
         reportingErrorsGuarded([&](rawlog::GuardedStatus& status) {
-            render(options, config, map, status);
+            render(options, config, map.lines, status);
             return static_cast<int>(exitDone);
         });
     if (outcome.kind == Kind::Finished) return outcome.exitCode;

@@ -6,23 +6,16 @@
 #include "SensorPoses.h"
 #include "UsageError.h"
 
-#include <offmap/maps/TextMap.h>
 #include <offmap/rawlog/ConfigFile.h>
-
-#include <mrpt/poses/CPose2D.h>
 
 namespace offmap::app {
 
 void SharedOptions::addTo(CLI::App& command) {
     command
-        .add_option("--map", map, "Wall lines: x1 y1 x2 y2 [sigma [z_min z_max]] per line, metres")
+        .add_option("--map", map, "The map: wall lines, an occupancy grid, a drawing or a picture")
         ->required()
         ->type_name("FILE");
-    command
-        .add_option("--map-origin", mapOrigin,
-                    "Where the map's origin stands in the frame of the poses")
-        ->type_name("X,Y,YAW_DEG")
-        ->check(notEmpty);
+    mapFile.addTo(command);
     command
         .add_option("--method", method,
                     "Matching method: aligned, probabilistic or paper (matching.method)")
@@ -59,13 +52,8 @@ rawlog::Config SharedOptions::readConfig() const {
     return out;
 }
 
-core::LineMap SharedOptions::readMap(const rawlog::Config& configuration) const {
-    std::vector<core::Wall> walls = maps::readTextMap(map, configuration.map.sigma);
-    if (!mapOrigin.empty()) {
-        walls = maps::placed(std::move(walls),
-                             mrpt::poses::CPose2D(parsePose(mapOrigin, "--map-origin")));
-    }
-    return core::LineMap(std::move(walls));
+LoadedMap SharedOptions::readMap(const rawlog::Config& configuration) const {
+    return loadMap(map, mapFile.request(configuration));
 }
 
 rawlog::ChosenPoses choosePoses(const SharedOptions& options, const rawlog::Config& config,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "LoadedMap.h"
+#include "MapFileOptions.h"
 #include "PoseOptions.h"
 
-#include <offmap/core/LineMap.h>
 #include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/LogSurvey.h>
 #include <offmap/rawlog/PoseChoice.h>
@@ -19,7 +20,7 @@ namespace offmap::app {
 /// What every subcommand that reduces scans asks for: map, configuration and poses.
 struct SharedOptions {
     std::filesystem::path map;
-    std::string mapOrigin;  ///< "x,y,yaw_deg"; empty: 0,0,0
+    MapFileOptions mapFile;
     std::string method;
     std::filesystem::path config;
     std::vector<std::string> settings;  ///< "key=value"
@@ -30,8 +31,9 @@ struct SharedOptions {
 
     /// \throw UsageError for a wrong configuration, file or command line
     rawlog::Config readConfig() const;
-    /// \throw UsageError for a wrong --map-origin, std::runtime_error for a map that cannot be read
-    core::LineMap readMap(const rawlog::Config& config) const;
+    /// \throw UsageError for a wrong option of the map, std::runtime_error for one that cannot be
+    /// read
+    LoadedMap readMap(const rawlog::Config& config) const;
 };
 
 /// \throw UsageError if the choice is not clear, std::runtime_error if there is no pose at all

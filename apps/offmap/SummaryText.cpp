@@ -3,7 +3,6 @@
 
 #include "HealthText.h"
 
-#include <offmap/core/WallGeometry.h>
 #include <offmap/rawlog/GroupedDigits.h>
 
 #include <fmt/format.h>
@@ -98,12 +97,6 @@ std::string skippedText(const ReductionTotals& totals) {
 }
 
 }  // namespace
-
-std::string describe(const core::LineMap& map, const std::string& name) {
-    double length = 0;
-    for (const core::Wall& wall : map.walls()) length += lengthOf(wall);
-    return fmt::format("{}: {} walls, {:.1f} m", name, grouped(map.walls().size()), length);
-}
 
 std::string summaryOf(const ReductionTotals& totals, double wallSeconds) {
     const uint64_t onSegments = totals.onVerticalSegments, removed = totals.removed();

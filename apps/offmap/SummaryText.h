@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <offmap/core/LineMap.h>
 #include <offmap/rawlog/ReductionTotals.h>
 
 #include <cstddef>
@@ -10,9 +9,6 @@
 #include <string>
 
 namespace offmap::app {
-
-/// "plan.lines: 214 walls, 612.4 m"
-std::string describe(const core::LineMap& map, const std::string& name);
 
 /// The figures of one reduction or of several, a line each, for a person to read at a glance.
 /// \param wallSeconds [s] that it took

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/core/WallGeometry.h>
 #include <offmap/maps/TextMap.h>
+#include <offmap/maps/WallPlacement.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/maps/TextMap.h>
+#include <offmap/maps/WallPlacement.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -209,14 +209,4 @@ std::vector<core::Wall> readTextMap(const std::filesystem::path& file, double de
     return parseTextMap(readAll(file), file.string(), defaultSigma);
 }
 
-std::vector<core::Wall> placed(std::vector<core::Wall> walls,
-                               const mrpt::poses::CPose2D& mapOrigin) {
-    for (core::Wall& wall : walls) {
-        const mrpt::math::TSegment2D line = wall.line;
-        mapOrigin.composePoint(line.point1, wall.line.point1);
-        mapOrigin.composePoint(line.point2, wall.line.point2);
-    }
-    return walls;
-}
-
 }  // namespace offmap::maps

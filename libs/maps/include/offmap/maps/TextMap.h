@@ -3,8 +3,6 @@
 
 #include <offmap/core/LineMap.h>
 
-#include <mrpt/poses/CPose2D.h>
-
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -23,9 +21,5 @@ std::vector<core::Wall> readTextMap(const std::filesystem::path& file, double de
 /// The same for text in memory. \param name stands for the file in messages
 std::vector<core::Wall> parseTextMap(std::string_view text, std::string_view name,
                                      double defaultSigma);
-
-/// The walls of a map whose origin stands at mapOrigin in the frame wanted. Heights stay.
-std::vector<core::Wall> placed(std::vector<core::Wall> walls,
-                               const mrpt::poses::CPose2D& mapOrigin);
 
 }  // namespace offmap::maps

@@ -8,7 +8,9 @@
 #include <mrpt/math/TPose3D.h>
 
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace offmap::rawlog {
 
@@ -26,9 +28,19 @@ struct OdometryConfig {
     double headingPerRadian = mrpt::DEG2RAD(3.0);  ///< [rad] after 1 rad
 };
 
+/// What holds for the layers of a map that a name fits.
+struct LayerConfig {
+    std::string layer;                     ///< with * and ? as wildcards
+    std::optional<double> sigma{};         ///< [m] standard deviation of its walls' position
+    std::optional<double> zMin{}, zMax{};  ///< [m] map frame; without: down, up to everywhere
+    bool present = true;                   ///< false: its lines are no walls
+};
+
 /// What a map file leaves open.
 struct MapConfig {
-    double sigma = 0.03;  ///< [m] standard deviation of a wall that states none
+    double sigma = 0.03;              ///< [m] standard deviation of a wall that states none
+    double minLength = 0.05;          ///< [m] shorter lines of drawings are no walls
+    std::vector<LayerConfig> layers;  ///< the first that fits a layer counts
 };
 
 /// Everything a user can adjust. ParameterTable.h lists it under the names that files and the

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/WallGeometry.h>
+#include <offmap/maps/LayerChoice.h>
+#include <offmap/maps/MapFile.h>
+#include <offmap/maps/TextMap.h>
+#include <offmap/maps/WallPlacement.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <string_view>
+
+namespace offmap::maps {
+
+namespace {
+
+using Reader = std::function<Drawing(const std::filesystem::path&, const MapOptions&)>;
+
+/// A family of map files.
+struct Family {
+    std::vector<std::string_view> extensions;  ///< lower case
+    Reader read;
+};
+
+Drawing readText(const std::filesystem::path& file, const MapOptions& options) {
+    Drawing drawing;
+    drawing.format = "text";
+    const uint32_t layer = drawing.layer("");
+    for (const core::Wall& wall : readTextMap(file, options.sigma)) drawing.add(wall, layer);
+    return drawing;
+}
+
+const std::vector<Family>& families() {
+    static const std::vector<Family> all{
+        {{".lines", ".txt"}, readText},
+    };
+    return all;
+}
+
+std::string lowerCase(std::string text) {
+    for (char& c : text) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return text;
+}
+
+/// By the longest extension that fits: "x.gridmap.gz" is no ".gz".
+Reader readerOf(const std::filesystem::path& file) {
+    const std::string name = lowerCase(file.filename().string());
+    for (const Family& family : families()) {
+        for (const std::string_view extension : family.extensions) {
+            if (name.size() > extension.size() && name.ends_with(extension)) return family.read;
+        }
+    }
+    return readText;
+}
+
+core::Wall ruled(core::Wall wall, const LayerRule* rule) {
+    if (rule == nullptr) return wall;
+    wall.sigma = rule->sigma.value_or(wall.sigma);
+    wall.height = {rule->zMin.value_or(wall.height.min()), rule->zMax.value_or(wall.height.max())};
+    return wall;
+}
+
+/// The walls of the layers that are used, with what the rules say of these.
+void takeWalls(const Drawing& drawing, const MapOptions& options, MapOfFile& map) {
+    for (size_t i = 0; i < drawing.walls.size(); ++i) {
+        MapLayer& layer = map.layers[drawing.layerOf[i]];
+        ++layer.lines;
+        if (!layer.used) continue;
+        map.walls.push_back(ruled(drawing.walls[i], ruleOf(layer.name, options.rules)));
+        map.layerOf.push_back(drawing.layerOf[i]);
+    }
+}
+
+void countWalls(MapOfFile& map) {
+    for (size_t i = 0; i < map.walls.size(); ++i) {
+        MapLayer& layer = map.layers[map.layerOf[i]];
+        ++layer.walls;
+        layer.length += core::lengthOf(map.walls[i]);
+    }
+}
+
+}  // namespace
+
+MapOfFile mapOf(Drawing drawing, const MapOptions& options, const std::string& name) {
+    const std::vector<bool> used = chooseLayers(drawing, options, name);
+    MapOfFile map;
+    map.format = drawing.format;
+    map.notes = std::move(drawing.notes);
+    map.warnings = std::move(drawing.warnings);
+    for (size_t i = 0; i < drawing.layers.size(); ++i) {
+        map.layers.push_back({.name = drawing.layers[i], .used = used[i]});
+    }
+    takeWalls(drawing, options, map);
+    map.walls = placed(std::move(map.walls), options.origin, options.scale);
+    if (map.walls.empty()) {
+        throw std::runtime_error(fmt::format("{}: the map holds no wall", name));
+    }
+    countWalls(map);
+    return map;
+}
+
+MapOfFile readMap(const std::filesystem::path& file, const MapOptions& options) {
+    return mapOf(readerOf(file)(file, options), options, file.string());
+}
+
+}  // namespace offmap::maps
