@@ -10,12 +10,24 @@
 
 namespace offmap::app {
 
+namespace {
+
+int exitCodeOfInterruption(int signal) {
+    constexpr int firstSignal = 128;
+    say(stderr, "offmap: interrupted; nothing was written\n");
+    return firstSignal + signal;
+}
+
+}  // namespace
+
 int reportingErrors(const std::function<int()>& work) {
     try {
         return work();
     } catch (const UsageError& error) {
         say(stderr, "offmap: {}\n", error.what());
         return exitUsage;
+    } catch (const Interrupted& interrupted) {
+        return exitCodeOfInterruption(interrupted.signal());
     } catch (const std::exception& error) {
         say(stderr, "offmap: {}\n", error.what());
         return exitFailed;
@@ -32,9 +44,7 @@ rawlog::GuardedOutcome reportingErrorsGuarded(
 }
 
 int exitCodeOfInterruption(const rawlog::GuardedOutcome& outcome) {
-    constexpr int firstSignal = 128;
-    say(stderr, "offmap: interrupted; nothing was written\n");
-    return firstSignal + outcome.signal;
+    return exitCodeOfInterruption(outcome.signal);
 }
 
 }  // namespace offmap::app

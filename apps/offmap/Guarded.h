@@ -3,9 +3,20 @@
 
 #include <offmap/rawlog/GuardedRun.h>
 
+#include <exception>
 #include <functional>
 
 namespace offmap::app {
+
+/// SIGINT, SIGTERM or SIGHUP came before anything was written.
+class Interrupted : public std::exception {
+ public:
+    explicit Interrupted(int signal) : signal_(signal) {}
+    int signal() const { return signal_; }
+
+ private:
+    int signal_;
+};
 
 /// Does the work and turns what it throws into a message on stderr and an exit code.
 int reportingErrors(const std::function<int()>& work);

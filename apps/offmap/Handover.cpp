@@ -2,7 +2,6 @@
 #include "Handover.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <new>
@@ -12,29 +11,31 @@
 
 namespace offmap::app {
 
-/// Takes no more memory than what is put into it.
+/// What is handed over follows behind it.
 struct Handover::Shared {
     std::atomic<size_t> size;
-    std::array<uint8_t, size_t{1} << 22> bytes;
+
+    uint8_t* bytes() { return reinterpret_cast<uint8_t*>(this + 1); }
 };
 
-Handover::Handover() : shared_(nullptr, [](Shared* shared) { munmap(shared, sizeof(Shared)); }) {
-    void* memory =
-        mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+void Handover::Unmap::operator()(Shared* shared) const { munmap(shared, size); }
+
+Handover::Handover(size_t capacity)
+    : capacity_(capacity), shared_(nullptr, Unmap{sizeof(Shared) + capacity}) {
+    void* memory = mmap(nullptr, sizeof(Shared) + capacity, PROT_READ | PROT_WRITE,
+                        MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory == MAP_FAILED) {
         throw std::system_error(errno, std::generic_category(), "cannot get shared memory");
     }
-    shared_.reset(new (memory) Shared);  // not {}: it is zero, and to write it would take memory
+    shared_.reset(new (memory) Shared{});
 }
 
 void Handover::put(std::span<const uint8_t> bytes) {
-    if (bytes.size() > shared_->bytes.size()) throw std::length_error("too much to hand over");
-    std::copy(bytes.begin(), bytes.end(), shared_->bytes.begin());
+    if (bytes.size() > capacity_) throw std::length_error("too much to hand over");
+    std::copy(bytes.begin(), bytes.end(), shared_->bytes());
     shared_->size = bytes.size();
 }
 
-std::span<const uint8_t> Handover::content() const {
-    return {shared_->bytes.data(), shared_->size};
-}
+std::span<const uint8_t> Handover::content() const { return {shared_->bytes(), shared_->size}; }
 
 }  // namespace offmap::app

@@ -12,8 +12,9 @@ namespace offmap::app {
 /// No pipe, which may be full, and no file, whose size may be limited.
 class Handover {
  public:
+    /// \param capacity [byte] no memory is taken before it is used
     /// \throw std::system_error if there is no memory to be had
-    Handover();
+    explicit Handover(size_t capacity = size_t{1} << 22);
 
     /// In the child. \throw std::length_error if it is too much
     void put(std::span<const uint8_t> bytes);
@@ -22,7 +23,12 @@ class Handover {
 
  private:
     struct Shared;
-    std::unique_ptr<Shared, void (*)(Shared*)> shared_;
+    struct Unmap {
+        size_t size;  ///< [byte]
+        void operator()(Shared* shared) const;
+    };
+    size_t capacity_;  ///< [byte]
+    std::unique_ptr<Shared, Unmap> shared_;
 };
 
 }  // namespace offmap::app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LoadedMap.h"
 
+#include "GuardedMap.h"
+
 #include <offmap/rawlog/GroupedDigits.h>
 
 #include <fmt/format.h>
@@ -35,7 +37,7 @@ std::string describe(const maps::MapOfFile& map, const std::string& file) {
 }
 
 LoadedMap loadMap(const std::filesystem::path& file, const maps::MapOptions& options) {
-    maps::MapOfFile map = maps::readMap(file, options);
+    maps::MapOfFile map = readMapGuarded(file, options);
     std::string description = describe(map, file.string());
     return {core::LineMap(std::move(map.walls)), std::move(map.format), std::move(description),
             std::move(map.notes), std::move(map.warnings)};
