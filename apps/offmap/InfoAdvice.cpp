@@ -66,7 +66,7 @@ void adviseSensor(const std::string& label, const SensorInventory& sensor, Advic
 
 void advisePreset(const std::map<std::string, const SensorInventory*>& scanners,
                   const InfoOptions& options, Advice& advice) {
-    if (!options.shared.config.empty()) return;
+    if (!options.shared.config.file.empty()) return;
     std::set<std::string> presets;
     for (const auto& [label, sensor] : scanners) presets.insert(presetFor(sensor->model.name));
     if (presets.size() == 1 && !presets.begin()->empty()) {

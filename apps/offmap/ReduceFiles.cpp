@@ -118,7 +118,7 @@ std::vector<ReduceFiles> filesOf(const ReduceOptions& options) {
         written.emplace_back("--segments" + ofLog, files.segments);
     }
     read.emplace_back("--map", options.shared.map);
-    read.emplace_back("--config", options.shared.config);
+    read.emplace_back("--config", options.shared.config.file);
     read.emplace_back("--trajectory", options.shared.poses.trajectory);
     requireDistinct(written, read);
     return all;

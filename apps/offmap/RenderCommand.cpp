@@ -79,7 +79,7 @@ int renderGuarded(const RenderOptions& options) {
     requireDistinct({{"IN", options.input},
                      {"OUT", options.output},
                      {"--map", options.shared.map},
-                     {"--config", options.shared.config},
+                     {"--config", options.shared.config.file},
                      {"--trajectory", options.shared.poses.trajectory}});
     if (options.output.extension() != ".png") {
         throw UsageError(options.output.string() + ": the picture is a PNG; name it so, .png");

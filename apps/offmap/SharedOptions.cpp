@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedOptions.h"
 
-#include "NumberList.h"
-#include "Presets.h"
 #include "SensorPoses.h"
 #include "UsageError.h"
 
@@ -20,14 +18,7 @@ void SharedOptions::addTo(CLI::App& command) {
         .add_option("--method", method,
                     "Matching method: aligned, probabilistic or paper (matching.method)")
         ->type_name("METHOD");
-    command
-        .add_option("--config", config,
-                    "Parameters, or a preset's name; what is not set keeps its default")
-        ->type_name("FILE.yaml|NAME")
-        ->check(notEmpty);
-    command.add_option("--set", settings, "One parameter, after --config; may be repeated")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    config.addTo(command);
     poses.addTo(command);
     command
         .add_option("--sensor-pose", sensorPoses,
@@ -39,8 +30,7 @@ void SharedOptions::addTo(CLI::App& command) {
 rawlog::Config SharedOptions::readConfig() const {
     rawlog::Config out;
     try {
-        if (!config.empty()) rawlog::applyYaml(out, configFile(config));
-        for (const std::string& setting : settings) rawlog::applySetting(out, setting);
+        config.applyTo(out);
         if (!method.empty()) rawlog::applySetting(out, "matching.method=" + method);
         poses.setSigmas(out);
         out.mountings = parseSensorPoses(sensorPoses);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ConfigOptions.h"
 #include "LoadedMap.h"
 #include "MapFileOptions.h"
 #include "PoseOptions.h"
@@ -22,8 +23,7 @@ struct SharedOptions {
     std::filesystem::path map;
     MapFileOptions mapFile;
     std::string method;
-    std::filesystem::path config;
-    std::vector<std::string> settings;  ///< "key=value"
+    ConfigOptions config;
     PoseOptions poses;
     std::vector<std::string> sensorPoses;  ///< "LABEL=x,y,z,yaw_deg,pitch_deg,roll_deg"
 

@@ -6,6 +6,7 @@
 #include "RenderCommand.h"
 #include "ScoreCommand.h"
 #include "UsageError.h"
+#include "map/MapCommand.h"
 #include "simulate/SimulateCommand.h"
 
 #include <CLI/CLI.hpp>
@@ -18,15 +19,20 @@ namespace {
 
 /// What is wrong with the command line, and where help is to be had.
 std::string usageMessage(const CLI::App* app, const CLI::Error& error) {
-    const auto subcommands = app->get_subcommands();
-    if (!subcommands.empty()) {
-        return fmt::format("offmap: {}; offmap {} --help tells what it takes\n", error.what(),
-                           subcommands.front()->get_name());
+    std::string command = "offmap";
+    while (!app->get_subcommands().empty()) {
+        app = app->get_subcommands().front();
+        command += " " + app->get_name();
+    }
+    if (app->get_require_subcommand_min() == 0) {
+        return fmt::format("offmap: {}; {} --help tells what it takes\n", error.what(), command);
     }
     const std::vector<std::string> unknown = app->remaining();
-    if (unknown.empty()) return "offmap: a subcommand is needed; offmap --help lists them\n";
-    return fmt::format("offmap: there is no {} '{}'; offmap --help lists them\n",
-                       unknown[0].starts_with('-') ? "option" : "subcommand", unknown[0]);
+    if (unknown.empty()) {
+        return fmt::format("offmap: a subcommand is needed; {} --help lists them\n", command);
+    }
+    return fmt::format("offmap: there is no {} '{}'; {} --help lists them\n",
+                       unknown[0].starts_with('-') ? "option" : "subcommand", unknown[0], command);
 }
 
 }  // namespace
@@ -44,6 +50,7 @@ int main(int argc, char** argv) {
     addInfoCommand(app, exitCode);
     addScoreCommand(app, exitCode);
     addSimulateCommand(app, exitCode);
+    addMapCommand(app, exitCode);
     return reportingErrors([&] {
         try {
             app.parse(argc, argv);

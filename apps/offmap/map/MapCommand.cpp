@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapCommand.h"
+
+#include "MapInfoCommand.h"
+
+namespace offmap::app {
+
+void addMapCommand(CLI::App& app, int& exitCode) {
+    CLI::App& command = *app.add_subcommand("map", "Look at a map, write it in another format");
+    command.require_subcommand(1);
+    addMapInfoCommand(command, exitCode);
+}
+
+}  // namespace offmap::app
