@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulateOutputs.h"
 
-#include "WallGrid.h"
-
+#include <offmap/maps/GridWriter.h>
 #include <offmap/maps/TextMapWriter.h>
 
 #include <fmt/format.h>
@@ -32,7 +31,7 @@ SimulateOutputs::SimulateOutputs(const SimulatedFiles& files, bool force,
 void SimulateOutputs::writeMaps(const std::vector<core::Wall>& walls) {
     constexpr double resolution = 0.05;  // [m]
     map_.write(maps::textMapOf(walls));
-    grid_.write(gridOf(walls, resolution));
+    grid_.write(maps::gridMapBytes(maps::gridOf(walls, resolution)));
 }
 
 void SimulateOutputs::writeConfig(const rawlog::SensorConfig& config) {

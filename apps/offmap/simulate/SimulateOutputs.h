@@ -35,8 +35,8 @@ class SimulateOutputs {
 
  private:
     rawlog::GuardedStatus& status_;
-    rawlog::RawlogWriter scans_, grid_;
-    rawlog::OutputFile map_, truth_;
+    rawlog::RawlogWriter scans_;
+    rawlog::OutputFile grid_, map_, truth_;
     std::optional<rawlog::OutputFile> config_;
     evaluation::TruthWriter truthWriter_;
 };
