@@ -4,6 +4,7 @@
 #include <mrpt/img/CImage.h>
 #include <mrpt/img/TColor.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace offmap::view {
@@ -11,7 +12,8 @@ namespace offmap::view {
 /// The pixels of one colour in a picture.
 struct Pixels {
     int count = 0;
-    double meanX = 0, meanY = 0;  ///< [px]
+    double meanX = 0, meanY = 0;                                 ///< [px]
+    int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;  ///< [px] of the outermost
 
     /// Counts pixels that differ by at most 6 of 255 in each channel from a colour.
     static Pixels of(const mrpt::img::CImage& image, const mrpt::img::TColor& colour) {
@@ -24,6 +26,10 @@ struct Pixels {
                 if (!near(bgr[0], colour.B) || !near(bgr[1], colour.G) || !near(bgr[2], colour.R))
                     continue;
                 ++found.count;
+                found.left = std::min(found.left, x);
+                found.right = std::max(found.right, x);
+                found.top = std::min(found.top, y);
+                found.bottom = std::max(found.bottom, y);
                 found.meanX += x;
                 found.meanY += y;
             }

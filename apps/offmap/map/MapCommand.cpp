@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapCommand.h"
 
+#include "MapDrawCommand.h"
 #include "MapInfoCommand.h"
 
 namespace offmap::app {
@@ -9,6 +10,7 @@ void addMapCommand(CLI::App& app, int& exitCode) {
     CLI::App& command = *app.add_subcommand("map", "Look at a map, write it in another format");
     command.require_subcommand(1);
     addMapInfoCommand(command, exitCode);
+    addMapDrawCommand(command, exitCode);
 }
 
 }  // namespace offmap::app

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapSource.h"
 
-#include "../Console.h"
-#include "../Guarded.h"
+#include "../GuardedMap.h"
 #include "../UsageError.h"
 
 namespace offmap::app {
@@ -18,7 +17,7 @@ void MapSource::addTo(CLI::App& command) {
     config.addTo(command);
 }
 
-maps::MapOptions MapSource::request() const {
+maps::MapOfFile MapSource::read() const {
     rawlog::Config parameters;
     config.applyTo(parameters);
     try {
@@ -26,21 +25,7 @@ maps::MapOptions MapSource::request() const {
     } catch (const std::exception& error) {
         throw UsageError(error.what());
     }
-    return reading.request(parameters);
-}
-
-int workOnMap(const MapSource& source,
-              const std::function<int(const maps::MapOfFile&, rawlog::GuardedStatus&)>& work) {
-    using Kind = rawlog::GuardedOutcome::Kind;
-    const maps::MapOptions request = source.request();
-    const auto outcome = reportingErrorsGuarded([&](rawlog::GuardedStatus& status) {
-        return work(maps::readMap(source.file, request), status);
-    });
-    if (outcome.kind == Kind::Finished) return outcome.exitCode;
-    if (outcome.kind == Kind::Interrupted) return exitCodeOfInterruption(outcome);
-    say(stderr, "offmap: {}: its reader failed: {}; the file is damaged or far too large\n",
-        source.file.string(), outcome.cause);
-    return exitFailed;
+    return readMapGuarded(file, reading.request(parameters));
 }
 
 }  // namespace offmap::app

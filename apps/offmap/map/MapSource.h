@@ -5,12 +5,10 @@
 #include "../MapFileOptions.h"
 
 #include <offmap/maps/MapFile.h>
-#include <offmap/rawlog/GuardedRun.h>
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <functional>
 
 namespace offmap::app {
 
@@ -22,13 +20,8 @@ struct MapSource {
 
     void addTo(CLI::App& command);
 
-    /// \throw UsageError for a wrong option or configuration
-    maps::MapOptions request() const;
+    /// \throw UsageError for a wrong option or configuration, else as readMapGuarded()
+    maps::MapOfFile read() const;
 };
-
-/// Works on the map in a child of this program, which survives what a corrupt file does to its
-/// reader. \return the exit code
-int workOnMap(const MapSource& source,
-              const std::function<int(const maps::MapOfFile&, rawlog::GuardedStatus&)>& work);
 
 }  // namespace offmap::app

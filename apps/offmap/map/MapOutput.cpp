@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapOutput.h"
+
+#include "../Console.h"
+#include "../Guarded.h"
+#include "../NamedFiles.h"
+#include "../NumberList.h"
+#include "../UsageError.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace offmap::app {
+
+void MapOutput::addTo(CLI::App& command, const char* what, const char* typeName) {
+    command.add_option("-o,--out", file, what)->required()->type_name(typeName)->check(notEmpty);
+    command.add_flag("--force", force, "Replace an existing file");
+}
+
+std::string MapOutput::extension() const {
+    std::string text = file.extension().string();
+    for (char& c : text) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return text;
+}
+
+int writeFromMap(const MapSource& source, const MapOutput& output,
+                 const std::function<void(const maps::MapOfFile&, rawlog::OutputOptions)>& work) {
+    using Kind = rawlog::GuardedOutcome::Kind;
+    requireDistinct({{"MAP", source.file}, {"OUT", output.file}, {"--config", source.config.file}});
+    if (!output.force && std::filesystem::exists(output.file)) {
+        throw std::runtime_error(output.file.string() + " exists already; --force replaces it");
+    }
+    const maps::MapOfFile map = source.read();
+    for (const std::string& warning : map.warnings) say(stderr, "warning: {}\n", warning);
+    const auto outcome = reportingErrorsGuarded([&](rawlog::GuardedStatus& status) {
+        work(map, {std::nullopt, output.force, &status});
+        return static_cast<int>(exitDone);
+    });
+    if (outcome.kind == Kind::Finished) return outcome.exitCode;
+    if (outcome.kind == Kind::Interrupted) return exitCodeOfInterruption(outcome);
+    say(stderr, "offmap: {}: it could not be made: {}\n", output.file.string(), outcome.cause);
+    return exitFailed;
+}
+
+}  // namespace offmap::app
