@@ -2,6 +2,7 @@
 #include "MapCommand.h"
 
 #include "MapDrawCommand.h"
+#include "MapFromLogCommand.h"
 #include "MapInfoCommand.h"
 
 namespace offmap::app {
@@ -11,6 +12,7 @@ void addMapCommand(CLI::App& app, int& exitCode) {
     command.require_subcommand(1);
     addMapInfoCommand(command, exitCode);
     addMapDrawCommand(command, exitCode);
+    addMapFromLogCommand(command, exitCode);
 }
 
 }  // namespace offmap::app

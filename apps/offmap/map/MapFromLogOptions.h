@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../ConfigOptions.h"
+#include "../PoseOptions.h"
+
+#include <offmap/rawlog/Config.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace offmap::app {
+
+/// The command line of `offmap map from-log`.
+struct MapFromLogOptions {
+    std::vector<std::filesystem::path> logs;
+    std::filesystem::path output;
+    ConfigOptions config;
+    PoseOptions poses;
+    std::vector<std::string> sensorPoses;  ///< as in SharedOptions
+    double minLength = 0.5;                ///< [m]
+    std::optional<uint32_t> minScans;      ///< none: by the number of scans
+    bool force = false;
+
+    void addTo(CLI::App& command);
+
+    /// \throw UsageError for a wrong configuration, file or command line
+    rawlog::Config readConfig() const;
+};
+
+}  // namespace offmap::app
