@@ -9,11 +9,21 @@
 
 namespace offmap::maps {
 
-/// Writes walls in metres as a drawing, DXF or GeoJSON by the extension .dxf, .geojson or .json.
-/// Arcs become polylines that keep within half a millimetre; readMap() finds the arcs again.
-/// GeoJSON keeps sigma and height, DXF has no place for them. A file of that name is replaced when
-/// the new one is complete. \param layerOfEach the layer's name of each wall; as many as walls
-/// \throw std::invalid_argument for another extension, or if the names are not as many as the walls
+/// A DXF drawing (AutoCAD 2004) of walls in metres, which it says in $INSUNITS. Arcs are polylines
+/// that keep within half a millimetre; readMap() finds the arcs again. It has no place for sigma
+/// and height. \param layerOfEach the layer's name of each wall; signs that DXF forbids become '_'
+/// \throw std::invalid_argument if the names are not as many as the walls
+std::string dxfOf(std::span<const core::Wall> walls, std::span<const std::string> layerOfEach);
+
+/// GeoJSON of walls in metres, which it says in the member "crs"; programs that ignore that member
+/// take them for degrees. Arcs as in dxfOf(). Each line has the properties Layer, sigma_m, and
+/// where it is bounded z_min_m and z_max_m; readMap() reads them back. \throw std::invalid_argument
+/// if the names are not as many as the walls
+std::string geoJsonOf(std::span<const core::Wall> walls, std::span<const std::string> layerOfEach);
+
+/// Writes one of these, by the extension .dxf, .geojson or .json. A file of that name is replaced
+/// when the new one is complete.
+/// \throw std::invalid_argument for another extension, or as above
 /// \throw std::runtime_error naming the file and what is wrong if it cannot be written
 void writeDrawing(const std::filesystem::path& file, std::span<const core::Wall> walls,
                   std::span<const std::string> layerOfEach);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace offmap::maps {
+
+/// A file that GDAL can open and that stands in memory, under a name that no other has.
+class MemoryFile {
+ public:
+    explicit MemoryFile(std::string_view bytes = {});
+    ~MemoryFile();
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    const char* name() const { return name_.c_str(); }
+    std::string bytes() const;
+
+ private:
+    std::string name_;
+};
+
+}  // namespace offmap::maps
