@@ -3,6 +3,7 @@
 #include <offmap/maps/LayerChoice.h>
 #include <offmap/maps/MapFile.h>
 #include <offmap/maps/TextMap.h>
+#include <offmap/maps/VectorDrawing.h>
 #include <offmap/maps/WallPlacement.h>
 
 #include <fmt/format.h>
@@ -35,6 +36,7 @@ Drawing readText(const std::filesystem::path& file, const MapOptions& options) {
 const std::vector<Family>& families() {
     static const std::vector<Family> all{
         {{".lines", ".txt"}, readText},
+        {vectorExtensions(), readVectorDrawing},
     };
     return all;
 }

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Coordinates.h"
+
+#include <optional>
+#include <string>
+
+namespace offmap::maps {
+
+/// What smells of the size of a map, and the option that mends it; none if nothing does.
+/// \param extent [m] \param isProjected its coordinates were degrees
+std::optional<std::string> sizeWarning(const Extent& extent, bool isProjected);
+
+}  // namespace offmap::maps
