@@ -26,7 +26,8 @@ std::vector<NamedFile> outputsOf(const ReduceOptions& options) {
     return {{"OUT", options.output},
             {"--removed", options.removed},
             {"--report", options.report},
-            {"--segments", options.segments}};
+            {"--segments", options.segments},
+            {"--inspect", options.inspect}};
 }
 
 void requireFolder(const NamedFile& output) {
@@ -62,18 +63,32 @@ ReduceFiles filesInFolders(const fs::path& log, const ReduceOptions& options) {
         return folder.empty() ? folder : folderOf(folder) / name;
     };
     const std::string stem = stemOf(log);
-    return {log, in(options.output, log.filename().string()), in(options.removed, stem + ".rawlog"),
-            in(options.report, stem + ".json"), in(options.segments, stem + ".csv")};
+    return {log,
+            in(options.output, log.filename().string()),
+            in(options.removed, stem + ".rawlog"),
+            in(options.report, stem + ".json"),
+            in(options.segments, stem + ".csv"),
+            in(options.inspect, stem + ".rawlog")};
+}
+
+/// Rawlogs of one name cannot stand in one folder.
+void requireFoldersOfTheirOwn(const std::vector<NamedFile>& outputs) {
+    std::map<fs::path, std::string> nameOf;  // by folder
+    for (const auto& [name, output] : outputs) {
+        if (output.empty()) continue;
+        std::error_code ignored;
+        const auto [other, isNew] =
+            nameOf.emplace(fs::weakly_canonical(folderOf(output), ignored), name);
+        if (isNew) continue;
+        throw UsageError(fmt::format("{} and {} are the same folder, {}; give each its own",
+                                     other->second, name, output.string()));
+    }
 }
 
 std::vector<ReduceFiles> filesInFolders(const ReduceOptions& options) {
     for (const NamedFile& output : outputsOf(options)) requireFolder(output);
-    std::error_code ignored;
-    if (!options.removed.empty() && fs::weakly_canonical(folderOf(options.removed), ignored) ==
-                                        fs::weakly_canonical(folderOf(options.output), ignored)) {
-        throw UsageError(fmt::format("OUT and --removed are the same folder, {}; give each its own",
-                                     options.output.string()));
-    }
+    requireFoldersOfTheirOwn(
+        {{"OUT", options.output}, {"--removed", options.removed}, {"--inspect", options.inspect}});
     std::vector<ReduceFiles> all;
     std::map<fs::path, fs::path> logOf;  // by its name
     for (const fs::path& log : options.inputs) {
@@ -106,7 +121,7 @@ std::vector<ReduceFiles> filesOf(const ReduceOptions& options) {
         all = filesInFolders(options);
     } else {
         all.push_back({options.inputs.front(), options.output, options.removed, options.report,
-                       options.segments});
+                       options.segments, options.inspect});
     }
     std::vector<NamedFile> written, read;
     for (const ReduceFiles& files : all) {
@@ -116,6 +131,7 @@ std::vector<ReduceFiles> filesOf(const ReduceOptions& options) {
         written.emplace_back("--removed" + ofLog, files.removed);
         written.emplace_back("--report" + ofLog, files.report);
         written.emplace_back("--segments" + ofLog, files.segments);
+        written.emplace_back("--inspect" + ofLog, files.inspect);
     }
     read.emplace_back("--map", options.shared.map);
     read.emplace_back("--config", options.shared.config.file);

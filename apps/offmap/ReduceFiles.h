@@ -8,9 +8,9 @@
 
 namespace offmap::app {
 
-/// The files of one reduction; the last three may be empty.
+/// The files of one reduction; all but the first two may be empty.
 struct ReduceFiles {
-    std::filesystem::path input, output, removed, report, segments;
+    std::filesystem::path input, output, removed, report, segments, inspect;
 };
 
 /// Whether OUT and the other outputs name folders, in which each log has its own files.

@@ -141,7 +141,7 @@ rawlog::ReductionTotals writeOutputs(const ReduceJob& job, const LogToReduce& lo
                                    outputs.reduced(), outputs.removed());
     reduction.onTurn = [&](const rawlog::ReducedTurn& turn) {
         totals.add(turn.record);
-        outputs.add(turn, reducer.result());
+        outputs.add(turn, reducer.result(), map.lines);
     };
     reduction.onNotSupported = [&](const std::string& reason) { ++totals.notSupported[reason]; };
 

@@ -24,6 +24,10 @@ void ReduceOptions::addTo(CLI::App& command) {
     command.add_option("--report", report, "Figures in total and per scan")->type_name("FILE.json");
     command.add_option("--segments", segments, "What became of every vertical segment, and why")
         ->type_name("FILE.csv");
+    command
+        .add_option("--inspect", inspect,
+                    "Rawlog of 3D pictures to turn and zoom in RawLogViewer, one per scan")
+        ->type_name("FILE");
     command.add_option("--sensor", sensors, "Reduce this sensor only; may be repeated")
         ->type_name("LABEL")
         ->allow_extra_args(false);

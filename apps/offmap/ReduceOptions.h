@@ -13,8 +13,9 @@ namespace offmap::app {
 /// The command line of `offmap reduce`.
 struct ReduceOptions {
     std::vector<std::filesystem::path> inputs;
-    std::filesystem::path output;                     ///< a folder, if there are several logs
-    std::filesystem::path removed, report, segments;  ///< folders where it is; may be empty
+    std::filesystem::path output;  ///< a folder, if there are several logs
+    std::filesystem::path removed, report, segments,
+        inspect;  ///< folders where it is; may be empty
     SharedOptions shared;
     std::vector<std::string> sensors;
     std::string outputClass = "same";       ///< or "points"

@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceOutputs.h"
 
+#include <offmap/view/InspectionScene.h>
+
+#include <mrpt/obs/CObservation3DScene.h>
+
 namespace offmap::app {
+
+namespace {
+
+mrpt::obs::CObservation3DScene::Ptr pictureOf(const rawlog::ReducedTurn& turn,
+                                              const core::ReductionResult& result,
+                                              const core::LineMap& map) {
+    auto picture = mrpt::obs::CObservation3DScene::Create();
+    picture->timestamp = turn.record.time;
+    picture->scene = view::inspectionSceneOf(turn.organized.scan, result, map);
+    return picture;
+}
+
+}  // namespace
 
 ReduceOutputs::ReduceOutputs(const ReduceFiles& files, bool force, rawlog::GuardedStatus& status)
     : status_(status) {
     const rawlog::OutputOptions compressed{6, force, &status}, plain{std::nullopt, force, &status};
     reduced_.emplace(files.output, compressed);
     if (!files.removed.empty()) removed_.emplace(files.removed, compressed);
+    if (!files.inspect.empty()) inspect_.emplace(files.inspect, compressed);
     if (!files.report.empty()) report_.emplace(files.report, plain);
     if (!files.segments.empty()) segments_.emplace(files.segments, plain);
 }
@@ -16,15 +34,18 @@ void ReduceOutputs::begin(const nlohmann::ordered_json& head) {
     if (report_) report_->begin(head);
 }
 
-void ReduceOutputs::add(const rawlog::ReducedTurn& turn, const core::ReductionResult& result) {
+void ReduceOutputs::add(const rawlog::ReducedTurn& turn, const core::ReductionResult& result,
+                        const core::LineMap& map) {
     if (report_) report_->add(turn.record);
     if (segments_) segments_->add(turn, result);
+    if (inspect_) inspect_->write(*pictureOf(turn, result, map));
 }
 
 void ReduceOutputs::finish(const rawlog::ReductionTotals& totals,
                            const nlohmann::ordered_json& tail) {
     reduced_->finish();
     if (removed_) removed_->finish();
+    if (inspect_) inspect_->finish();
     if (report_) report_->finish(totals, tail);
     if (segments_) segments_->finish();
 }
@@ -32,6 +53,7 @@ void ReduceOutputs::finish(const rawlog::ReductionTotals& totals,
 void ReduceOutputs::publish() {
     status_.beginPublishing();
     if (removed_) removed_->publish();
+    if (inspect_) inspect_->publish();
     if (report_) report_->publish();
     if (segments_) segments_->publish();
     reduced_->publish();  // last: where it is, the others are

@@ -3,6 +3,7 @@
 
 #include "ReduceFiles.h"
 
+#include <offmap/core/LineMap.h>
 #include <offmap/rawlog/GuardedRun.h>
 #include <offmap/rawlog/RawlogWriter.h>
 #include <offmap/rawlog/ReportFile.h>
@@ -24,14 +25,15 @@ class ReduceOutputs {
 
     /// \param head of the report
     void begin(const nlohmann::ordered_json& head);
-    void add(const rawlog::ReducedTurn& turn, const core::ReductionResult& result);
+    void add(const rawlog::ReducedTurn& turn, const core::ReductionResult& result,
+             const core::LineMap& map);
     /// \param tail of the report
     void finish(const rawlog::ReductionTotals& totals, const nlohmann::ordered_json& tail);
     void publish();
 
  private:
     rawlog::GuardedStatus& status_;
-    std::optional<rawlog::RawlogWriter> reduced_, removed_;
+    std::optional<rawlog::RawlogWriter> reduced_, removed_, inspect_;
     std::optional<rawlog::ReportFile> report_;
     std::optional<rawlog::SegmentsFile> segments_;
 };

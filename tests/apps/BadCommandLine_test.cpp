@@ -102,11 +102,10 @@ TEST(CommandLine, helpNamesEveryOption) {
     EXPECT_EQ(reduce.exitCode, 0);
     EXPECT_EQ(reduce.err, "");
     for (const char* option :
-         {"IN",           "--map",    "-o",           "--removed",    "--report",
-          "--segments",   "--method", "--config",     "--set",        "--sensor",
-          "--pose-label", "--pose ",  "--pose-sigma", "--map-origin", "--sensor-pose",
-          "--output",     "same",     "points",       "--strict",     "--keep-going",
-          "--force",      "--quiet",  "Exit codes"}) {
+         {"IN",        "--map",        "-o",           "--removed",     "--report", "--segments",
+          "--inspect", "--method",     "--config",     "--set",         "--sensor", "--pose-label",
+          "--pose ",   "--pose-sigma", "--map-origin", "--sensor-pose", "--output", "same",
+          "points",    "--strict",     "--keep-going", "--force",       "--quiet",  "Exit codes"}) {
         EXPECT_THAT(reduce.out, HasSubstr(option));
     }
     const RunResult render = runOffmap({"render", "--help"});

@@ -20,7 +20,7 @@ TEST_F(BadOutput, missingFolderIsNotCreated) {
 }
 
 TEST_F(BadOutput, folderIsNoFile) {
-    for (const char* option : {"--removed", "--report", "--segments"}) {
+    for (const char* option : {"--removed", "--report", "--segments", "--inspect"}) {
         expectRefusal(reduceArguments({option, folder_.path(), "--force"}), 2,
                       HasSubstr("it is a folder"));
     }
@@ -38,7 +38,7 @@ TEST_F(BadOutput, existingFileNeedsForce) {
 TEST_F(BadOutput, otherExistingFilesNeedForceToo) {
     const Path other = folder_ / "other";
     writeFile(other, "yesterday's result");
-    for (const char* option : {"--removed", "--report", "--segments"}) {
+    for (const char* option : {"--removed", "--report", "--segments", "--inspect"}) {
         expectRefusal(reduceArguments({option, other}), 2,
                       AllOf(HasSubstr(other.string()), HasSubstr("--force")));
     }

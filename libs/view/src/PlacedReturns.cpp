@@ -58,6 +58,7 @@ PlacedReturns placedReturns(const core::OrganizedScan& scan,
         for (uint32_t i = column.begin; i < column.end; ++i) {
             placed.points.emplace_back(sensorInMap.composePoint(scan.points[i]));
             placed.labels.push_back(labels[i]);
+            placed.indices.push_back(i);
         }
     }
     return placed;

@@ -26,7 +26,8 @@ CSetOfObjects::Ptr cloudsOf(const PlacedReturns& returns, const SceneOptions& op
     onSegments->setPointSize(options.pointSize);
     for (size_t i = 0; i < returns.points.size(); ++i) {
         const core::PointLabel label = returns.labels[i];
-        const mrpt::img::TColorf colour(options.palette.of(label));
+        const mrpt::img::TColorf colour(returns.colours.empty() ? options.palette.of(label)
+                                                                : returns.colours[i]);
         const auto& p = returns.points[i];
         auto& cloud = label == core::PointLabel::NotOnVerticalSegment ? *rest : *onSegments;
         cloud.push_back(p.x, p.y, p.z, colour.R, colour.G, colour.B);
@@ -110,20 +111,6 @@ CSetOfObjects::Ptr sensorOf(const PlacedReturns& returns, const TBoundingBox& ex
 }
 
 }  // namespace
-
-mrpt::img::TColor Palette::of(core::PointLabel label) const {
-    switch (label) {
-        case core::PointLabel::Mapped:
-            return mapped;
-        case core::PointLabel::Kept:
-            return kept;
-        case core::PointLabel::Orphan:
-            return orphan;
-        case core::PointLabel::NotOnVerticalSegment:
-            break;
-    }
-    return rest;
-}
 
 CSetOfObjects::Ptr sceneOf(const PlacedReturns& returns, const core::LineMap& map,
                            const TBoundingBox& extent, const SceneOptions& options) {

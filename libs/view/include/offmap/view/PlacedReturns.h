@@ -4,10 +4,12 @@
 #include <offmap/core/OrganizedScan.h>
 #include <offmap/core/ReductionResult.h>
 
+#include <mrpt/img/TColor.h>
 #include <mrpt/math/TBoundingBox.h>
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt/poses/CPose3D.h>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,6 +20,8 @@ namespace offmap::view {
 struct PlacedReturns {
     std::vector<mrpt::math::TPoint3Df> points;     ///< [m] map frame
     std::vector<core::PointLabel> labels;          ///< one per point
+    std::vector<uint32_t> indices;                 ///< of each, into OrganizedScan::points
+    std::vector<mrpt::img::TColor> colours;        ///< one per point; empty: by label
     std::vector<mrpt::poses::CPose3D> sensorPath;  ///< where the columns were taken from
 };
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/OrganizedScan.h>
+#include <offmap/core/ReductionResult.h>
+#include <offmap/view/Palette.h>
+#include <offmap/view/PlacedReturns.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace offmap::view {
+
+/// What the colour of a return tells.
+enum class ColourBy : uint8_t {
+    Label,      ///< what became of it: figures 7 and 8
+    Height,     ///< z in the map, from the lowest 2 % to the highest
+    Intensity,  ///< how bright it is, as far as that is known
+    Residual,   ///< of its segment: blue in front of the wall by 5 standard deviations, red behind
+    Reason,     ///< why its segment was kept
+};
+
+/// A colour for each placed return.
+/// \param intensities [0, 1] one per point of the scan, NaN where unknown; may be empty
+std::vector<mrpt::img::TColor> coloursOf(const PlacedReturns& returns,
+                                         const core::OrganizedScan& scan,
+                                         const core::ReductionResult& result, ColourBy colourBy,
+                                         const Palette& palette,
+                                         std::span<const float> intensities = {});
+
+}  // namespace offmap::view

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/view/Colouring.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace offmap::view {
+
+namespace {
+
+using mrpt::img::TColor;
+
+constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
+
+/// Per point of the scan the segment that it lies on, or none.
+std::vector<uint32_t> segmentOfEach(const core::ReductionResult& result, size_t points) {
+    std::vector<uint32_t> segments(points, none);
+    for (uint32_t s = 0; s < result.segments.size(); ++s) {
+        const auto& segment = result.segments[s];
+        std::fill(segments.begin() + segment.begin, segments.begin() + segment.end, s);
+    }
+    return segments;
+}
+
+template <class Colour>
+std::vector<TColor> forEach(const PlacedReturns& returns, const Colour& colour) {
+    std::vector<TColor> colours;
+    colours.reserve(returns.points.size());
+    for (size_t i = 0; i < returns.points.size(); ++i) colours.push_back(colour(i));
+    return colours;
+}
+
+std::vector<TColor> byHeight(const PlacedReturns& returns) {
+    if (returns.points.empty()) return {};
+    std::vector<float> heights;
+    for (const auto& point : returns.points) heights.push_back(point.z);
+    std::ranges::sort(heights);
+    const size_t cut = heights.size() / 50;
+    const double low = heights[cut], high = heights[heights.size() - 1 - cut];
+    const double range = std::max(high - low, 1e-3);
+    return forEach(returns,
+                   [&](size_t i) { return sequential((returns.points[i].z - low) / range); });
+}
+
+}  // namespace
+
+std::vector<TColor> coloursOf(const PlacedReturns& returns, const core::OrganizedScan& scan,
+                              const core::ReductionResult& result, ColourBy colourBy,
+                              const Palette& palette, std::span<const float> intensities) {
+    if (colourBy == ColourBy::Height) return byHeight(returns);
+    const auto byLabel = [&](size_t i) { return palette.of(returns.labels[i]); };
+    if (colourBy == ColourBy::Label) return forEach(returns, byLabel);
+    if (colourBy == ColourBy::Intensity) {
+        return forEach(returns, [&](size_t i) {
+            const uint32_t point = returns.indices[i];
+            const bool known = point < intensities.size() && std::isfinite(intensities[point]);
+            return known ? sequential(static_cast<double>(intensities[point])) : palette.rest;
+        });
+    }
+    const std::vector<uint32_t> segments = segmentOfEach(result, scan.points.size());
+    return forEach(returns, [&](size_t i) {
+        const uint32_t segment = segments[returns.indices[i]];
+        if (segment == none) return byLabel(i);
+        const core::SegmentMatch& match = result.matches[segment];
+        constexpr double most = 5;  // standard deviations
+        if (colourBy == ColourBy::Residual) {
+            return match.predicted ? diverging(match.residual / most) : palette.rest;
+        }
+        return match.verdict == core::Verdict::Kept ? palette.of(match.reason) : byLabel(i);
+    });
+}
+
+}  // namespace offmap::view
