@@ -2,6 +2,7 @@
 #include <offmap/core/WallGeometry.h>
 #include <offmap/maps/LayerChoice.h>
 #include <offmap/maps/MapFile.h>
+#include <offmap/maps/SvgMap.h>
 #include <offmap/maps/TextMap.h>
 #include <offmap/maps/VectorDrawing.h>
 #include <offmap/maps/WallPlacement.h>
@@ -37,6 +38,7 @@ const std::vector<Family>& families() {
     static const std::vector<Family> all{
         {{".lines", ".txt"}, readText},
         {vectorExtensions(), readVectorDrawing},
+        {{".svg", ".svgz"}, readSvgMap},
     };
     return all;
 }
