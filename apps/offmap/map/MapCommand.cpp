@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapCommand.h"
 
+#include "MapCheckCommand.h"
 #include "MapDrawCommand.h"
 #include "MapFromLogCommand.h"
 #include "MapInfoCommand.h"
@@ -12,6 +13,7 @@ void addMapCommand(CLI::App& app, int& exitCode) {
     command.require_subcommand(1);
     addMapInfoCommand(command, exitCode);
     addMapDrawCommand(command, exitCode);
+    addMapCheckCommand(command, exitCode);
     addMapFromLogCommand(command, exitCode);
 }
 

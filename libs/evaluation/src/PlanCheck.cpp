@@ -61,13 +61,11 @@ void PlanCheck::addOne(const SeenSegment& segment, const TPoint2D* along) {
     beam = beam * (1 / range);
     const double z = segment.height.centre();
     const auto hit = map_.castRay(segment.sensor, beam, config_.maxRange, z);
-    // The face that the ray meets first goes before the nearest: walls may be drawn with two.
     std::optional<Stand> stand;
-    if (hit) stand = standAt(hit->wall, segment, along);
-    if (!stand) {
-        const auto near = map_.nearestWall(segment.place, config_.gate, z);
-        if (near) stand = standAt(near->wall, segment, along);
-    }
+    const auto near = map_.nearestWall(segment.place, config_.gate, z);
+    if (near) stand = standAt(near->wall, segment, along);
+    // Beside a corner the nearest wall may be the one that the surface only ends at.
+    if (!stand && hit) stand = standAt(hit->wall, segment, along);
     if (stand) {
         Bin& bin = binOf(stand->wall, stand->bin);
         (stand->fromLeft ? bin.left : bin.right)

@@ -2,6 +2,7 @@
 #include <offmap/core/WallGeometry.h>
 #include <offmap/evaluation/PlanCheck.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace offmap::evaluation {
@@ -61,6 +62,28 @@ class FaceMean {
     int count_ = 0;
 };
 
+/// A surface that is much nearer than the rest of its wall is a thing that hides it.
+void demoteThings(WallCheck& check) {
+    constexpr double nearer = 0.15;  // [m]
+    constexpr size_t few = 3;        // bins, of which none is the rest
+    std::vector<double> means;
+    for (const BinCheck& bin : check.bins) {
+        if (bin.state == BinState::Seen) means.push_back(bin.offset.mean());
+    }
+    if (means.size() < few) return;
+    const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
+    std::nth_element(means.begin(), middle, means.end());
+    for (BinCheck& bin : check.bins) {
+        if (bin.state != BinState::Seen || bin.offset.mean() > *middle - nearer) continue;
+        bin.state = BinState::Hidden;
+        bin.inFront += bin.offset.segments;
+        bin.clearance -= bin.offset.mean() * static_cast<double>(bin.offset.segments);
+        bin.offset = {};
+        bin.leftFace.reset();
+        bin.rightFace.reset();
+    }
+}
+
 /// Of the bins that are seen.
 void sumUpOffsets(WallCheck& check) {
     FaceMean left, right;
@@ -116,6 +139,7 @@ std::vector<WallCheck> PlanCheck::walls() const {
             bin.to = check.length * static_cast<double>(b + 1) / static_cast<double>(bins);
             check.bins.push_back(bin);
         }
+        demoteThings(check);
         sumUpOffsets(check);
         countStates(check);
     }
