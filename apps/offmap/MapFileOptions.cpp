@@ -69,6 +69,10 @@ void MapFileOptions::addTo(CLI::App& command) {
 maps::MapOptions MapFileOptions::request(const rawlog::Config& config) const {
     maps::MapOptions request;
     request.sigma = config.map.sigma;
+    request.minLength = config.map.minLength;
+    for (const rawlog::LayerConfig& layer : config.map.layers) {
+        request.rules.push_back({layer.layer, layer.sigma, layer.zMin, layer.zMax, layer.present});
+    }
     request.layers = layers;
     request.excludedLayers = excludedLayers;
     if (!units.empty()) request.units = maps::lengthUnitOf(units);

@@ -10,6 +10,7 @@
 #include "UsageError.h"
 
 #include <offmap/rawlog/GroupedDigits.h>
+#include <offmap/rawlog/LayerSettings.h>
 #include <offmap/rawlog/LogReduction.h>
 #include <offmap/rawlog/ParameterTable.h>
 
@@ -77,6 +78,9 @@ ordered_json reportHead(const ReduceJob& job, const std::filesystem::path& input
         for (const auto& [name, value] : settings) {
             parameters[fmt::format("sensors.{}.{}", label, name)] = value;
         }
+    }
+    for (const auto& [key, value] : rawlog::layerSettings(job.config)) {
+        parameters[fmt::format("layers.{}.{}", key.layer, key.name)] = value;
     }
     ordered_json sensorPoses = ordered_json::object();
     for (const auto& [label, pose] : job.config.mountings) {

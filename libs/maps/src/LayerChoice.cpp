@@ -79,6 +79,19 @@ std::vector<bool> chooseLayers(const Drawing& drawing, const MapOptions& options
     return chosen;
 }
 
+std::vector<std::string> warningsOfRules(const Drawing& drawing,
+                                         const std::vector<LayerRule>& rules) {
+    std::vector<std::string> warnings;
+    for (const LayerRule& rule : rules) {
+        const auto fits = [&](const auto& layer) { return fitsPattern(layer, rule.layer); };
+        if (std::ranges::any_of(drawing.layers, fits)) continue;
+        warnings.push_back(
+            fmt::format("the configuration's layers.{} fits no layer of the map; there are: {}",
+                        rule.layer, listed(drawing.layers)));
+    }
+    return warnings;
+}
+
 const LayerRule* ruleOf(std::string_view layer, const std::vector<LayerRule>& rules) {
     const auto fits = [&](const LayerRule& rule) { return fitsPattern(layer, rule.layer); };
     const auto found = std::ranges::find_if(rules, fits);

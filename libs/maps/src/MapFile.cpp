@@ -64,7 +64,15 @@ Reader readerOf(const std::filesystem::path& file) {
 core::Wall ruled(core::Wall wall, const LayerRule* rule) {
     if (rule == nullptr) return wall;
     wall.sigma = rule->sigma.value_or(wall.sigma);
-    wall.height = {rule->zMin.value_or(wall.height.min()), rule->zMax.value_or(wall.height.max())};
+    const double low = rule->zMin.value_or(wall.height.min());
+    const double high = rule->zMax.value_or(wall.height.max());
+    if (low > high) {
+        throw std::runtime_error(fmt::format(
+            "the configuration's layers.{} makes walls from z {} up to {}, as the map states the "
+            "other one; set both z_min_m and z_max_m",
+            rule->layer, low, high));
+    }
+    wall.height = {low, high};
     return wall;
 }
 
@@ -95,6 +103,9 @@ MapOfFile mapOf(Drawing drawing, const MapOptions& options, const std::string& n
     map.format = drawing.format;
     map.notes = std::move(drawing.notes);
     map.warnings = std::move(drawing.warnings);
+    for (auto& warning : warningsOfRules(drawing, options.rules)) {
+        map.warnings.push_back(std::move(warning));
+    }
     for (size_t i = 0; i < drawing.layers.size(); ++i) {
         map.layers.push_back({.name = drawing.layers[i], .used = used[i]});
     }

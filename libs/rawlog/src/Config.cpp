@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/Config.h>
+#include <offmap/rawlog/LayerSettings.h>
 #include <offmap/rawlog/ParameterTable.h>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@ void Config::validate() const {
     for (const Parameter& p : parameters()) p.check(*this);
     reduction.validate();
     sensor.validate();
+    validateLayers(*this);
     for (const auto& [label, settings] : sensors) {
         try {
             sensorOf(label).validate();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/ConfigFile.h>
+#include <offmap/rawlog/LayerSettings.h>
 #include <offmap/rawlog/ParameterTable.h>
 #include <offmap/rawlog/SensorSettings.h>
 
@@ -72,9 +73,15 @@ std::string valueText(const Parameter& parameter, const YAML::Node& key, const Y
 
 /// What a map of settings is for.
 struct Section {
-    std::string name;                  ///< "vertical", "sensors.LABEL"
-    std::optional<std::string> label;  ///< of the single sensor that it sets
+    std::string name;                    ///< "vertical", "sensors.LABEL", "layers.PATTERN"
+    std::optional<std::string> label{};  ///< of the single sensor that it sets
+    std::optional<std::string> layer{};  ///< pattern of the layers that it sets
 };
+
+std::string layerText(const std::string& name, const YAML::Node& key, const YAML::Node& value) {
+    if (value.IsScalar()) return value.Scalar();
+    refuse(value.IsNull() ? key.Mark() : value.Mark(), fmt::format("{} needs one value", name));
+}
 
 /// \return the full key
 std::string applyEntry(Config& config, const Section& section, const YAML::Node& key,
@@ -85,6 +92,8 @@ std::string applyEntry(Config& config, const Section& section, const YAML::Node&
         if (section.label) {
             const std::string text = valueText(findSensorParameter(name), key, value);
             setForSensor(config, {*section.label, name}, text);
+        } else if (section.layer) {
+            setForLayer(config, {*section.layer, name}, layerText(name, key, value));
         } else {
             const Parameter& parameter = findParameter(fullKey);
             parameter.setText(config, valueText(parameter, key, value));
@@ -124,7 +133,26 @@ void applySensors(Config& config, const YAML::Node& sensors, std::vector<std::st
     for (const auto& sensor : sensors) {
         requireMapOrNothing(sensor.second);
         const std::string label = keyText(sensor.first, seen);
-        applyEntries(config, {"sensors." + label, label}, sensor.second, keysSet);
+        applyEntries(config, {.name = "sensors." + label, .label = label}, sensor.second, keysSet);
+    }
+}
+
+/// The section "layers": a section for each pattern, of which the first that fits counts.
+void applyLayers(Config& config, const YAML::Node& layers, std::vector<std::string>& keysSet) {
+    const auto require = [](const YAML::Node& node) {
+        if (node.IsMap() || node.IsNull()) return;
+        refuse(
+            node.Mark(),
+            "what holds for layers of the map stands under their names, as in  layers: {COUNTER: "
+            "{z_max_m: 1}}");
+    };
+    require(layers);
+    std::vector<std::string> seen;
+    for (const auto& layer : layers) {
+        require(layer.second);
+        const std::string pattern = keyText(layer.first, seen);
+        applyEntries(config, {.name = "layers." + pattern, .layer = pattern}, layer.second,
+                     keysSet);
     }
 }
 
@@ -152,8 +180,12 @@ std::vector<std::string> applyDocument(Config& config, const YAML::Node& documen
             applySensors(config, entry.second, keysSet);
             continue;
         }
+        if (name == "layers") {
+            applyLayers(config, entry.second, keysSet);
+            continue;
+        }
         if (!entry.second.IsMap() || entry.second.size() == 0) requireSection(entry.first, name);
-        applyEntries(config, {name, std::nullopt}, entry.second, keysSet);
+        applyEntries(config, {.name = name}, entry.second, keysSet);
     }
     return keysSet;
 }
@@ -190,7 +222,9 @@ std::vector<std::string> applyYaml(Config& config, const std::filesystem::path& 
 }
 
 void applySetting(Config& config, std::string_view setting) {
-    const size_t equals = setting.starts_with("sensors.") ? setting.rfind('=') : setting.find('=');
+    // labels and layers may hold an =
+    const bool isNamed = setting.starts_with("sensors.") || setting.starts_with("layers.");
+    const size_t equals = isNamed ? setting.rfind('=') : setting.find('=');
     if (equals == std::string_view::npos) {
         throw std::runtime_error(
             fmt::format("setting \"{}\" lacks its value; write key=value", setting));
@@ -201,6 +235,8 @@ void applySetting(Config& config, std::string_view setting) {
         Config changed = config;
         if (const auto sensor = sensorKey(key)) {
             setForSensor(changed, *sensor, text);
+        } else if (const auto layer = layerKey(key)) {
+            setForLayer(changed, *layer, text);
         } else {
             findParameter(key).setText(changed, text);
         }

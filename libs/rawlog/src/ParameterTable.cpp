@@ -145,6 +145,8 @@ Rows poseAndMapRows() {
 
         number("map.sigma_m", "m", 0, 10, FIELD(map.sigma),
                "standard deviation of a wall's position, for walls that state none"),
+        number("map.min_length_m", "m", 0, 10, FIELD(map.minLength),
+               "of drawings and GIS: lines, with what they join, that are shorter are no walls"),
     };
 }
 #undef FIELD

@@ -20,6 +20,10 @@ bool fitsPattern(std::string_view name, std::string_view pattern);
 std::vector<bool> chooseLayers(const Drawing& drawing, const MapOptions& options,
                                const std::string& name);
 
+/// What there is to warn of: rules that fit no layer.
+std::vector<std::string> warningsOfRules(const Drawing& drawing,
+                                         const std::vector<LayerRule>& rules);
+
 /// The first rule that fits; null without one.
 const LayerRule* ruleOf(std::string_view layer, const std::vector<LayerRule>& rules);
 
