@@ -5,6 +5,7 @@
 #include <offmap/rawlog/LogSurvey.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/ScanClass.h>
+#include <offmap/rawlog/TurnAssembler.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -19,5 +20,8 @@ namespace offmap::rawlog {
 std::optional<Turn> findTurn(RawlogReader& reader, const LogSurvey& survey, const Config& config,
                              uint64_t entry, const std::filesystem::path& input,
                              const std::function<void()>& onEntry);
+
+/// Tells an assembler which 2D scanners of a log turn.
+void expectSweepsOf(const LogSurvey& survey, TurnAssembler& assembler);
 
 }  // namespace offmap::rawlog

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/core/LineMap.h>
+#include <offmap/live/FreshestQueue.h>
+#include <offmap/live/LiveFigures.h>
+#include <offmap/live/LiveFrame.h>
+#include <offmap/rawlog/Config.h>
+#include <offmap/rawlog/PoseSource.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace offmap::live {
+
+/// What a live reduction works with. All are shared with it and must not change any more.
+struct LiveSetup {
+    std::shared_ptr<const core::LineMap> map;
+    std::shared_ptr<const rawlog::PoseSource> poses;
+    rawlog::Config config;
+    rawlog::OutputClass output = rawlog::OutputClass::Same;
+};
+
+struct LiveOptions {
+    size_t waiting = 2;  ///< turns that may wait; then the oldest is dropped
+    /// Called for every turn by the thread that reduces, before the next one is reduced. What it
+    /// throws ends the reduction.
+    std::function<void(const LiveFramePtr&)> onFrame{};
+};
+
+/// Reduces what a source delivers as it comes: one thread waits for the source, one reduces. Where
+/// reducing is too slow the oldest waiting turn is dropped; a source that waits is not dropped
+/// from.
+class LiveReduction {
+ public:
+    /// Starts at once. \throw std::invalid_argument if the configuration is not valid
+    LiveReduction(std::unique_ptr<ScanSource> source, LiveSetup setup, LiveOptions options = {});
+    /// Stops and waits until both threads have ended.
+    ~LiveReduction();
+    LiveReduction(const LiveReduction&) = delete;
+    LiveReduction& operator=(const LiveReduction&) = delete;
+
+    /// The newest result; null before the first.
+    LiveFramePtr latest() const;
+    LiveFigures figures() const;
+
+    /// From the next turn on, other parameters, map or poses. The latest turn is reduced again with
+    /// them, and does not count twice. \throw std::invalid_argument if the configuration is not
+    /// valid
+    void change(LiveSetup setup);
+
+    /// Whether all that the source delivered has been reduced and nothing more comes.
+    bool finished() const;
+    /// Waits until finished() or the time is over. \return finished()
+    bool waitUntilFinished(std::chrono::milliseconds longest) const;
+    /// Why the reduction ended, if it did before the source; else empty.
+    std::string failure() const;
+
+    ScanSource& source() { return *source_; }
+
+ private:
+    /// A reducer and what it refers to.
+    struct Workshop;
+
+    void receive(const std::stop_token& stop);
+    void reduceAll(const std::stop_token& stop);
+    void reduceNext(const ArrivedTurn& turn);
+    void reduceLatestAgain();
+    LiveFramePtr reduced(const ArrivedTurn& turn);
+    void end(const std::string& failure);
+
+    std::unique_ptr<ScanSource> source_;
+    const LiveOptions options_;
+    FreshestQueue<ArrivedTurn> queue_;
+
+    mutable std::mutex mutex_;  // of what follows
+    mutable std::condition_variable_any ended_;
+    std::unique_ptr<Workshop> changed_;  // to be used from now on
+    LiveFramePtr latest_;
+    rawlog::ReductionTotals totals_;
+    rawlog::DurationHistogram latency_;
+    RecentRate turns_, points_;
+    bool finished_ = false;
+    std::string failure_;
+
+    std::unique_ptr<Workshop> workshop_;  // of the thread that reduces
+    std::jthread receiver_, reducer_;     // last: they end before the rest does
+};
+
+}  // namespace offmap::live
