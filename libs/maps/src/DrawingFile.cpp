@@ -82,7 +82,7 @@ void setBounded(OGRFeature& feature, const char* field, double value) {
 void requireWritten(bool isWritten, const GdalSession& session) {
     if (isWritten) return;
     throw std::runtime_error("the drawing cannot be written: " +
-                             session.lastMessage("GDAL does not say why"));
+                             session.why("GDAL does not say why"));
 }
 
 void writeWalls(OGRLayer& layer, std::span<const core::Wall> walls, Names layerOfEach,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "DxfContent.h"
+
 #include <offmap/core/Interval.h>
 
 #include <mrpt/math/TPoint2D.h>
@@ -30,6 +32,7 @@ struct DrawnLines {
     std::vector<Line> lines;
     std::vector<std::string> layers;
     std::optional<OGRSpatialReference> system;  ///< of the coordinates; none: not known
+    std::optional<DrawnUnit> unit;              ///< that the file states
     std::map<std::string, size_t> leftOut;      ///< by what they are, "hatches"; how many
     bool hasHeights = false;                    ///< some of its places have a height
     std::vector<std::string> warnings;

@@ -27,19 +27,6 @@ bool isTransparent(std::string_view style) {
            value.find_first_of(",)") == std::string_view::npos;
 }
 
-/// By its class names, which drawings have since AutoCAD R13.
-const char* leftOutOfDrawing(const OGRFeature& feature) {
-    const int paper = feature.GetFieldIndex("PaperSpace");
-    if (paper >= 0 && feature.GetFieldAsInteger(paper) == 1) return "entities of the paper space";
-    const std::string classes = field(feature, "SubClasses");
-    const auto is = [&](const char* name) { return classes.find(name) != std::string::npos; };
-    if (is("AcDbHatch")) return "hatches";
-    if (is("AcDbDimension") || is("Dimension") || is("AcDbLeader") || is("AcDbMLeader")) {
-        return "dimensions and leaders";
-    }
-    return nullptr;
-}
-
 /// A tag that GDAL gives a field of its own, or one in "other_tags":
 /// "height"=>"3","indoor"=>"wall".
 std::string tag(const OGRFeature& feature, const std::string& key) {
@@ -73,7 +60,10 @@ FeatureClass classify(OGRFeature& feature, OGRLayer& layer, VectorKind kind) {
     const bool hasOwn = own >= 0 && feature.IsFieldSetAndNotNull(own);
     FeatureClass found{printableName(hasOwn ? feature.GetFieldAsString(own) : layer.GetName())};
     if (kind != VectorKind::Cad) return found;
-    found.leftOut = leftOutOfDrawing(feature);
+    const int paper = feature.GetFieldIndex("PaperSpace");
+    if (paper >= 0 && feature.GetFieldAsInteger(paper) == 1) {
+        found.leftOut = "entities of the paper space";
+    }
     const char* style = feature.GetStyleString();
     found.isHidden = style != nullptr && isTransparent(style);
     return found;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cpl_conv.h>
 #include <cpl_http.h>
+#include <string_view>
 #include <utility>
 
 namespace offmap::maps {
@@ -48,14 +49,18 @@ GdalSession::~GdalSession() {
     CPLPopErrorHandler();
 }
 
-std::string GdalSession::lastMessage(const std::string& instead) const {
-    return messages_.empty() ? instead : messages_.back();
+std::string GdalSession::why(const std::string& instead) const {
+    if (!failures_.empty()) return failures_.back();
+    return warnings_.empty() ? instead : warnings_.back();
 }
 
 void GdalSession::listen(CPLErr severity, CPLErrorNum, const char* message) {
     if (severity == CE_None || severity == CE_Debug) return;
-    constexpr size_t most = 100;
-    auto& heard = static_cast<GdalSession*>(CPLGetErrorHandlerUserData())->messages_;
+    // a face of a DXF, which GDAL closes after it has said so
+    if (std::string_view(message).starts_with("Non closed ring")) return;
+    constexpr size_t most = 1000;
+    auto& session = *static_cast<GdalSession*>(CPLGetErrorHandlerUserData());
+    auto& heard = severity == CE_Warning ? session.warnings_ : session.failures_;
     std::string sentence = printableName(message, 300);
     if (heard.size() < most && std::ranges::find(heard, sentence) == heard.end()) {
         heard.push_back(std::move(sentence));

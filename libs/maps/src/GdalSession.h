@@ -16,16 +16,17 @@ class GdalSession {
     GdalSession(const GdalSession&) = delete;
     GdalSession& operator=(const GdalSession&) = delete;
 
-    /// What GDAL has said since; each sentence once.
-    const std::vector<std::string>& messages() const { return messages_; }
+    /// What GDAL has warned of, and what it could not read; each sentence once.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    const std::vector<std::string>& failures() const { return failures_; }
 
-    /// The last of them; without any, what is said instead.
-    std::string lastMessage(const std::string& instead) const;
+    /// The last failure; without any, the last warning, or what is said instead.
+    std::string why(const std::string& instead) const;
 
  private:
     static void listen(CPLErr severity, CPLErrorNum number, const char* message);
 
-    std::vector<std::string> messages_;
+    std::vector<std::string> warnings_, failures_;
 };
 
 }  // namespace offmap::maps

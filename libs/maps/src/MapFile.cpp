@@ -34,11 +34,16 @@ Drawing readText(const std::filesystem::path& file, const MapOptions& options) {
     return drawing;
 }
 
+Drawing refuseDwg(const std::filesystem::path& file, const MapOptions&) {
+    throw std::runtime_error(file.string() + ": DWG is not read; save the drawing as ASCII DXF");
+}
+
 const std::vector<Family>& families() {
     static const std::vector<Family> all{
         {{".lines", ".txt"}, readText},
         {vectorExtensions(), readVectorDrawing},
         {{".svg", ".svgz"}, readSvgMap},
+        {{".dwg"}, refuseDwg},
     };
     return all;
 }

@@ -7,16 +7,20 @@
 #include <cpl_vsi.h>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 namespace offmap::maps {
 
-MemoryFile::MemoryFile(std::string_view bytes) {
+MemoryFile::MemoryFile(std::string bytes, std::string_view extension) : content_(std::move(bytes)) {
     static std::atomic<uint64_t> count = 0;
-    name_ = fmt::format("/vsimem/offmap_{}", count++);
-    VSILFILE* file = VSIFOpenL(name(), "wb");
-    if (file == nullptr || VSIFWriteL(bytes.data(), 1, bytes.size(), file) != bytes.size() ||
-        VSIFCloseL(file) != 0) {
-        throw std::runtime_error("GDAL cannot write a file in memory");
+    name_ = fmt::format("/vsimem/offmap_{}{}", count++, extension);
+    constexpr int ours = FALSE;  // GDAL reads the bytes where they are
+    VSILFILE* file = content_.empty()
+                         ? VSIFOpenL(name(), "wb")
+                         : VSIFileFromMemBuffer(name(), reinterpret_cast<GByte*>(content_.data()),
+                                                content_.size(), ours);
+    if (file == nullptr || VSIFCloseL(file) != 0) {
+        throw std::runtime_error("GDAL cannot make a file in memory");
     }
 }
 

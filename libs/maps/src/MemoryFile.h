@@ -9,7 +9,7 @@ namespace offmap::maps {
 /// A file that GDAL can open and that stands in memory, under a name that no other has.
 class MemoryFile {
  public:
-    explicit MemoryFile(std::string_view bytes = {});
+    explicit MemoryFile(std::string bytes = {}, std::string_view extension = {});
     ~MemoryFile();
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
@@ -18,7 +18,7 @@ class MemoryFile {
     std::string bytes() const;
 
  private:
-    std::string name_;
+    std::string content_, name_;
 };
 
 }  // namespace offmap::maps

@@ -87,8 +87,8 @@ void placeProjected(DrawnLines& lines, const MapOptions& options, Drawing& drawi
     drawing.notes.push_back(std::move(note));
 }
 
-void placeLocal(DrawnLines& lines, VectorKind kind, const std::optional<DrawnUnit>& unit,
-                const MapOptions& options, Drawing& drawing) {
+void placeLocal(DrawnLines& lines, VectorKind kind, const MapOptions& options, Drawing& drawing) {
+    const auto& unit = lines.unit;
     const double metres = options.units ? inMetres(*options.units) : unit ? unit->metres : 1;
     scale(lines, metres);
     if (options.units) {
@@ -110,15 +110,14 @@ void placeLocal(DrawnLines& lines, VectorKind kind, const std::optional<DrawnUni
 
 }  // namespace
 
-bool placeInPlane(DrawnLines& lines, VectorKind kind, const std::optional<DrawnUnit>& unit,
-                  const MapOptions& options, Drawing& drawing) {
+bool placeInPlane(DrawnLines& lines, VectorKind kind, const MapOptions& options, Drawing& drawing) {
     const Extent extent = extentOf(lines.points);
     const auto& system = lines.system;
     const bool isSaidLocal = options.coordinates == MapCoordinates::Local || options.units;
     const bool isGeographic = system && system->IsGeographic() != 0;
     if (kind == VectorKind::Cad || isSaidLocal || !system || extent.isEmpty() ||
         (isGeographic && !isInDegrees(extent))) {
-        placeLocal(lines, kind, unit, options, drawing);
+        placeLocal(lines, kind, options, drawing);
     } else if (isGeographic) {
         placeGeographic(lines, extent, options, drawing);
         return true;

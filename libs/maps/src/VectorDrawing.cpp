@@ -12,7 +12,6 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 
 namespace offmap::maps {
@@ -83,29 +82,20 @@ class WallMaker {
     size_t upright_ = 0;
 };
 
-std::optional<DrawnUnit> statedUnit(const std::filesystem::path& file, const VectorFormat& format) {
-    if (format.name != "DXF") return std::nullopt;
-    std::ifstream in(file, std::ios::binary);
-    requireTextDxf(in);
-    in.seekg(0);
-    return dxfUnit(in);
-}
-
 std::string leftOut(const DrawnLines& lines) {
     std::vector<std::string> kinds;
     for (const auto& [what, count] : lines.leftOut) {
-        kinds.push_back(fmt::format("{} {}", count, what));
+        kinds.push_back(fmt::format("{} ({})", what, count));
     }
     return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
-Drawing drawingOf(DrawnLines lines, const VectorFormat& format,
-                  const std::optional<DrawnUnit>& unit, const MapOptions& options) {
+Drawing drawingOf(DrawnLines lines, const VectorFormat& format, const MapOptions& options) {
     Drawing drawing;
     drawing.format = format.name;
     drawing.isDrawnByHand = true;
     drawing.warnings = lines.warnings;
-    const bool isGeographic = placeInPlane(lines, format.kind, unit, options, drawing);
+    const bool isGeographic = placeInPlane(lines, format.kind, options, drawing);
     WallMaker(lines, options.sigma, drawing).make();
     if (!lines.leftOut.empty()) drawing.notes.push_back("left out: " + leftOut(lines));
     if (lines.hasHeights) {
@@ -118,9 +108,10 @@ Drawing drawingOf(DrawnLines lines, const VectorFormat& format,
     if (const auto warning = sizeWarning(extent, isGeographic))
         drawing.warnings.push_back(*warning);
     if (!drawing.walls.empty()) return drawing;
-    throw std::runtime_error(
-        fmt::format("the map holds no wall{}", lines.leftOut.empty() ? "" : "; left out: ") +
-        leftOut(lines));
+    std::string why = "the map holds no wall";
+    if (!lines.leftOut.empty()) why += "; left out: " + leftOut(lines);
+    for (const std::string& warning : drawing.warnings) why += "; " + warning;
+    throw std::runtime_error(why);
 }
 
 }  // namespace
@@ -137,8 +128,7 @@ Drawing readVectorDrawing(const std::filesystem::path& file, const MapOptions& o
     try {
         const VectorFormat& format = vectorFormatOf(file);
         const GdalSession session;
-        const auto unit = statedUnit(file, format);
-        return drawingOf(readLines(file, format, options, session), format, unit, options);
+        return drawingOf(readLines(file, format, options, session), format, options);
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
     }

@@ -10,7 +10,6 @@ const std::vector<VectorFormat>& vectorFormats() {
     using enum VectorKind;
     static const std::vector<VectorFormat> all{
         {"DXF", {".dxf"}, "DXF", RegisterOGRDXF, Cad, {}},
-        {"DWG", {".dwg"}, "CAD", RegisterOGRCAD, Cad, {"MODE=READ_ALL"}},
         {"GeoJSON", {".geojson", ".json"}, "GeoJSON", RegisterOGRGeoJSON, Geographic, {}},
         {"Shapefile", {".shp"}, "ESRI Shapefile", RegisterOGRShape, Geographic, {}},
         {"GeoPackage", {".gpkg"}, "GPKG", RegisterOGRGeoPackage, Geographic, {}},
