@@ -29,9 +29,14 @@ std::string MapOutput::extension() const {
 int writeFromMap(const MapSource& source, const MapOutput& output,
                  const std::function<void(const maps::MapOfFile&, rawlog::OutputOptions)>& work) {
     using Kind = rawlog::GuardedOutcome::Kind;
-    requireDistinct({{"MAP", source.file}, {"OUT", output.file}, {"--config", source.config.file}});
-    if (!output.force && std::filesystem::exists(output.file)) {
-        throw std::runtime_error(output.file.string() + " exists already; --force replaces it");
+    std::vector<std::filesystem::path> written{output.file};
+    written.insert(written.end(), output.companions.begin(), output.companions.end());
+    std::vector<NamedFile> named{{"MAP", source.file}};
+    for (const auto& file : written) named.emplace_back("OUT", file);
+    requireDistinct(named, {{"--config", source.config.file}});
+    for (const auto& file : written) {
+        if (output.force || !std::filesystem::exists(file)) continue;
+        throw std::runtime_error(file.string() + " exists already; --force replaces it");
     }
     const maps::MapOfFile map = source.read();
     for (const std::string& warning : map.warnings) say(stderr, "warning: {}\n", warning);

@@ -6,6 +6,8 @@
 #include <offmap/rawlog/OutputFile.h>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace offmap::app {
 
@@ -13,6 +15,7 @@ namespace offmap::app {
 struct MapOutput {
     std::filesystem::path file;
     bool force = false;
+    std::vector<std::filesystem::path> companions;  ///< files that are written with it
 
     void addTo(CLI::App& command, const char* what, const char* typeName);
 

@@ -17,7 +17,7 @@ void MapSource::addTo(CLI::App& command) {
     config.addTo(command);
 }
 
-maps::MapOfFile MapSource::read() const {
+maps::MapOptions MapSource::request() const {
     rawlog::Config parameters;
     config.applyTo(parameters);
     try {
@@ -25,7 +25,9 @@ maps::MapOfFile MapSource::read() const {
     } catch (const std::exception& error) {
         throw UsageError(error.what());
     }
-    return readMapGuarded(file, reading.request(parameters));
+    return reading.request(parameters);
 }
+
+maps::MapOfFile MapSource::read() const { return readMapGuarded(file, request()); }
 
 }  // namespace offmap::app

@@ -20,7 +20,9 @@ struct MapSource {
 
     void addTo(CLI::App& command);
 
-    /// \throw UsageError for a wrong option or configuration, else as readMapGuarded()
+    /// \throw UsageError for a wrong option or configuration
+    maps::MapOptions request() const;
+    /// \throw as request() and readMapGuarded()
     maps::MapOfFile read() const;
 };
 

@@ -110,6 +110,7 @@ std::string written(const char* driverName, CPLStringList driverOptions, CPLStri
     }
     const GdalSession session;
     const MemoryFile file;
+    VSIUnlink(file.name());  // GeoJSON's driver replaces none
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driverName);
     GDALDatasetUniquePtr drawing(
         driver == nullptr
