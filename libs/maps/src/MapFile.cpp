@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/core/WallGeometry.h>
+#include <offmap/maps/GridFile.h>
 #include <offmap/maps/LayerChoice.h>
 #include <offmap/maps/MapFile.h>
 #include <offmap/maps/SvgMap.h>
@@ -44,6 +45,7 @@ const std::vector<Family>& families() {
         {vectorExtensions(), readVectorDrawing},
         {{".svg", ".svgz"}, readSvgMap},
         {{".dwg"}, refuseDwg},
+        {{".gridmap", ".gridmap.gz"}, readGridMapDrawing},
     };
     return all;
 }
