@@ -2,6 +2,7 @@
 #include <offmap/core/WallGeometry.h>
 #include <offmap/maps/GridFile.h>
 #include <offmap/maps/LayerChoice.h>
+#include <offmap/maps/LineCleaning.h>
 #include <offmap/maps/MapFile.h>
 #include <offmap/maps/SvgMap.h>
 #include <offmap/maps/TextMap.h>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string_view>
@@ -94,6 +96,45 @@ void takeWalls(const Drawing& drawing, const MapOptions& options, MapOfFile& map
     }
 }
 
+void requireFinite(const std::vector<core::Wall>& walls, const std::string& name) {
+    for (const core::Wall& wall : walls) {
+        const auto& [a, b] = wall.line;
+        if (std::isfinite(a.x + a.y + b.x + b.y) && std::isfinite(wall.line.length())) continue;
+        throw std::runtime_error(fmt::format(
+            "{}: a line from ({:g}, {:g}) to ({:g}, {:g}) is none; check scale and unit", name, a.x,
+            a.y, b.x, b.y));
+    }
+}
+
+/// Layer by layer.
+void clean(MapOfFile& map, double minLength, const std::string& name) {
+    std::vector<std::vector<core::Wall>> ofLayer(map.layers.size());
+    for (size_t i = 0; i < map.walls.size(); ++i) ofLayer[map.layerOf[i]].push_back(map.walls[i]);
+    map.walls.clear();
+    map.layerOf.clear();
+    size_t merged = 0, tooShort = 0;
+    for (uint32_t layer = 0; layer < ofLayer.size(); ++layer) {
+        const CleanedWalls cleanWalls = cleaned(ofLayer[layer], minLength);
+        map.walls.insert(map.walls.end(), cleanWalls.walls.begin(), cleanWalls.walls.end());
+        map.layerOf.resize(map.walls.size(), layer);
+        merged += cleanWalls.merged;
+        tooShort += cleanWalls.tooShort;
+    }
+    if (merged > 0) {
+        map.notes.push_back(
+            fmt::format("merged {} duplicate, overlapping or touching lines", merged));
+    }
+    if (tooShort == 0) return;
+    map.notes.push_back(fmt::format("dropped {} lines shorter than {:g} m (map.min_length_m)",
+                                    tooShort, minLength));
+    if (map.walls.empty()) {
+        throw std::runtime_error(fmt::format(
+            "{}: all of its {} lines are shorter than map.min_length_m, {:g} m; a plan on paper? "
+            "Give its scale, as --map-scale 100 for 1:100, or its unit, as --map-units m",
+            name, tooShort, minLength));
+    }
+}
+
 void countWalls(MapOfFile& map) {
     for (size_t i = 0; i < map.walls.size(); ++i) {
         MapLayer& layer = map.layers[map.layerOf[i]];
@@ -121,6 +162,8 @@ MapOfFile mapOf(Drawing drawing, const MapOptions& options, const std::string& n
     if (map.walls.empty()) {
         throw std::runtime_error(fmt::format("{}: the map holds no wall", name));
     }
+    requireFinite(map.walls, name);
+    if (drawing.isDrawnByHand) clean(map, options.minLength, name);
     countWalls(map);
     return map;
 }
