@@ -2,20 +2,34 @@
 #include "MapInfoCommand.h"
 
 #include "../Console.h"
-#include "../LoadedMap.h"
 #include "../UsageError.h"
+#include "MapFacts.h"
 #include "MapSource.h"
 
 #include <memory>
 
 namespace offmap::app {
 
+namespace {
+
+struct MapInfoOptions {
+    MapSource source;
+    bool json = false;
+};
+
+}  // namespace
+
 void addMapInfoCommand(CLI::App& mapCommand, int& exitCode) {
-    CLI::App& command = *mapCommand.add_subcommand("info", "Tell what a map holds");
-    const auto source = std::make_shared<MapSource>();
-    source->addTo(command);
-    command.callback([source, &exitCode] {
-        say(stdout, "map     {}\n", describe(source->read(), source->file.string()));
+    CLI::App& command = *mapCommand.add_subcommand(
+        "info", "Tell what a map holds: extent, walls, layers, units, and what smells");
+    const auto options = std::make_shared<MapInfoOptions>();
+    options->source.addTo(command);
+    command.add_flag("--json", options->json, "The same facts as JSON");
+    command.footer(
+        "Exit codes: 0 the map can be used, with warnings or without; 1 usage; 2 it cannot");
+    command.callback([options, &exitCode] {
+        const MapFacts facts = factsOf(options->source.read(), options->source.file);
+        say(stdout, "{}", options->json ? mapInfoJson(facts) : mapInfoText(facts));
         exitCode = exitDone;
     });
 }
