@@ -121,12 +121,12 @@ void clean(MapOfFile& map, double minLength, const std::string& name) {
         tooShort += cleanWalls.tooShort;
     }
     if (merged > 0) {
-        map.notes.push_back(
-            fmt::format("merged {} duplicate, overlapping or touching lines", merged));
+        map.notes.push_back(fmt::format("merged {} duplicate, overlapping or touching line{}",
+                                        merged, merged == 1 ? "" : "s"));
     }
     if (tooShort == 0) return;
-    map.notes.push_back(fmt::format("dropped {} lines shorter than {:g} m (map.min_length_m)",
-                                    tooShort, minLength));
+    map.notes.push_back(fmt::format("dropped {} line{} shorter than {:g} m (map.min_length_m)",
+                                    tooShort, tooShort == 1 ? "" : "s", minLength));
     if (map.walls.empty()) {
         throw std::runtime_error(fmt::format(
             "{}: all of its {} lines are shorter than map.min_length_m, {:g} m; a plan on paper? "

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <pugixml.hpp>
 #include <stdexcept>
 #include <string>
@@ -59,11 +60,14 @@ void warnOfPaper(const MapOptions& options, Drawing& drawing) {
 
 std::string readAll(const std::filesystem::path& file) {
     std::error_code ignored;
-    mrpt::io::CFileGZInputStream stream;
-    if (std::filesystem::is_directory(file, ignored) || !stream.open(file.string())) {
+    if (!std::filesystem::is_regular_file(file, ignored) || !std::ifstream(file)) {
         throw std::runtime_error(
             fmt::format("{}: cannot be read; is it there and a file?", file.string()));
     }
+    if (std::filesystem::file_size(file, ignored) == 0) {
+        throw std::runtime_error(fmt::format("{}: the file is empty", file.string()));
+    }
+    mrpt::io::CFileGZInputStream stream(file.string());
     std::string text;
     std::array<char, 65536> part{};
     for (size_t count = 1; count > 0;) {
