@@ -57,6 +57,25 @@ TEST_F(MapConvert, drawingsHaveTheSameWalls) {
     }
 }
 
+// Hundredths of a millimetre; arcs stay arcs.
+TEST_F(MapConvert, svgKeepsEverything) {
+    const Path file = converted("copy.svg");
+    expectSameWalls(file, 2e-5);
+    const auto after = wallsIn(file).walls;
+    ASSERT_EQ(after.size(), wallsIn(map_).walls.size());
+    EXPECT_NEAR(nearest(after, {0, 3}).sigma, 0.1, 1e-9);
+    EXPECT_EQ(nearest(after, {2, 3}).height, offmap::core::Interval(0, 1.1));
+    // a radius of 3 m whose ends are rounded
+    EXPECT_NEAR(std::abs(nearest(after, {13, 3}).curvature), 1.0 / 3, 1e-5);
+}
+
+// A wall lies anywhere in its cell, whose diagonal is 0.071 m; corners are cut by as much.
+TEST_F(MapConvert, gridsHaveTheSameWalls) {
+    for (const char* name : {"copy.gridmap", "copy.gridmap.gz", "copy.yaml"}) {
+        expectSameWalls(converted(name), 0.075);
+    }
+}
+
 TEST_F(MapConvert, geoJsonKeepsSigmaAndHeight) {
     const auto after = wallsIn(converted("copy.geojson")).walls;
     EXPECT_NEAR(nearest(after, {0, 3}).sigma, 0.1, 1e-9);

@@ -4,6 +4,9 @@
 #include "../PlainText.h"
 #include "../TextSections.h"
 
+#include <offmap/core/WallGeometry.h>
+#include <offmap/rawlog/GroupedDigits.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +35,7 @@ std::string layerName(const maps::MapLayer& layer) {
     return layer.name.empty() ? "walls" : printable(layer.name);
 }
 
-/// [px] Thin lines where there are many.
+/// [px] of a figure of 1600. Thin lines where there are many.
 double strokeWidth(size_t walls) {
     return std::clamp(5.5 - std::log10(static_cast<double>(walls)), 1.0, 4.0);
 }
@@ -45,6 +48,20 @@ std::string sigmaText(const std::vector<core::Wall>& walls) {
                : fmt::format("{:.3g} to {:.3g} m", least->sigma, most->sigma);
 }
 
+/// Whether the bands of sigma show beside lines of that width [px of a figure of 1600].
+bool showsBands(const std::vector<core::Wall>& walls, double width) {
+    double sigma = 0;
+    mrpt::math::TPoint2D least = core::boundsOf(walls.front()).low, most = least;
+    for (const core::Wall& wall : walls) {
+        const core::WallBounds bounds = core::boundsOf(wall);
+        least = {std::min(least.x, bounds.low.x), std::min(least.y, bounds.low.y)};
+        most = {std::max(most.x, bounds.high.x), std::max(most.y, bounds.high.y)};
+        sigma = std::max(sigma, wall.sigma);
+    }
+    const double size = std::max(most.x - least.x, most.y - least.y);
+    return 2 * sigma * 1600 > (width + 3) * size;
+}
+
 bool isBounded(const core::Wall& wall) {
     return std::isfinite(wall.height.min()) || std::isfinite(wall.height.max());
 }
@@ -55,8 +72,7 @@ void addLegend(const maps::MapOfFile& map, const std::vector<size_t>& order, siz
         for (size_t i = 0; i < shown; ++i) {
             const maps::MapLayer& layer = map.layers[order[i]];
             figure.legend.push_back(
-                {fmt::format("{} ({}, {:.0f} m)", layerName(layer), layer.walls, layer.length),
-                 view::planColour(i)});
+                {fmt::format("{}, {:.0f} m", layerName(layer), layer.length), view::planColour(i)});
         }
     }
     if (shown < order.size()) {
@@ -83,14 +99,16 @@ view::PlanFigure figureOf(const maps::MapOfFile& map, const std::string& name) {
     figure.title = printable(name);
     double length = 0;
     for (const maps::MapLayer& layer : map.layers) length += layer.length;
-    figure.subtitle =
-        fmt::format("{}, {:.1f} m, {}", counted(map.walls.size(), "wall"), length, map.format);
+    figure.subtitle = fmt::format(
+        "{}: {}, {} m, sigma {}", map.format, counted(map.walls.size(), "wall"),
+        rawlog::grouped(static_cast<uint64_t>(std::llround(length))), sigmaText(map.walls));
     const double width = strokeWidth(map.walls.size());
+    const bool bands = showsBands(map.walls, width);
     for (size_t i = 0; i < map.walls.size(); ++i) {
         figure.strokes.push_back({.wall = map.walls[i],
                                   .colour = colourOf[map.layerOf[i]],
                                   .width = width,
-                                  .band = map.walls[i].sigma,
+                                  .band = bands ? map.walls[i].sigma : 0,
                                   .dashed = isBounded(map.walls[i])});
     }
     addLegend(map, order, shown, figure);
