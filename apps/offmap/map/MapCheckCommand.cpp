@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -50,8 +51,7 @@ class Checking {
     Checking(const MapCheckOptions& options, const rawlog::Config& config, const core::LineMap& map)
         : options_(options), config_(config), map_(map), check_(map, options.check) {}
 
-    void addLog(const std::filesystem::path& file, rawlog::GuardedStatus& status) {
-        const VisitedLog log = lookAt(file, options_.shared.poses, config_, status);
+    void addLog(const VisitedLog& log, rawlog::GuardedStatus& status) {
         result_.warnings.insert(result_.warnings.end(), log.warnings.begin(), log.warnings.end());
         visitTurns(log, map_, config_, status,
                    [this](const rawlog::ReducedTurn& turn, const core::ReductionResult& result) {
@@ -155,16 +155,44 @@ class CheckFiles {
     std::vector<std::unique_ptr<rawlog::OutputFile>> files_;
 };
 
+/// What scans are aligned to: a wall may stand as far off as the last check found it, or, before
+/// the first, anywhere within the gate. So poses are not bent to suit a wall that is drawn off.
+core::LineMap doubted(std::vector<core::Wall> walls, const std::vector<evaluation::WallCheck>& last,
+                      double gate) {
+    const double widest = gate / 3;  // three sigmas
+    for (size_t i = 0; i < walls.size(); ++i) {
+        const bool seen = !last.empty() && last[i].seen > 0;
+        walls[i].sigma = std::max(walls[i].sigma, seen ? std::min(last[i].rms, widest) : widest);
+    }
+    return core::LineMap(std::move(walls));
+}
+
+MapCheckResult checkRepeatedly(const MapCheckOptions& options, const rawlog::Config& config,
+                               const std::vector<core::Wall>& walls, rawlog::GuardedStatus& status,
+                               const AtLog& atLog) {
+    constexpr int checks = 3;  // a fourth one moves no wall by a millimetre
+    std::vector<VisitedLog> logs;
+    for (size_t i = 0; i < options.logs.size(); ++i) {
+        atLog(i);
+        logs.push_back(lookAt(options.logs[i], options.shared.poses, config, status));
+    }
+    MapCheckResult result;
+    for (int check = 0; check < checks; ++check) {
+        const core::LineMap map = doubted(walls, result.walls, options.check.gate);
+        Checking checking(options, config, map);
+        for (size_t i = 0; i < logs.size(); ++i) {
+            atLog(i);
+            checking.addLog(logs[i], status);
+        }
+        result = checking.finish();
+    }
+    return result;
+}
+
 int check(const MapCheckOptions& options, const rawlog::Config& config, maps::MapOfFile file,
           rawlog::GuardedStatus& status, const AtLog& atLog) {
     CheckFiles files(options, status);
-    const core::LineMap map(file.walls);
-    Checking checking(options, config, map);
-    for (size_t i = 0; i < options.logs.size(); ++i) {
-        atLog(i);
-        checking.addLog(options.logs[i], status);
-    }
-    MapCheckResult result = checking.finish();
+    MapCheckResult result = checkRepeatedly(options, config, file.walls, status, atLog);
     result.mapName = options.shared.map.filename().string();
     result.mapText = describe(file, options.shared.map.string());
     result.file = std::move(file);

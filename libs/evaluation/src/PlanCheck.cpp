@@ -25,6 +25,12 @@ size_t PlanCheck::binsOf(uint32_t wall) const {
     return std::max(size_t{1}, static_cast<size_t>(bins));
 }
 
+size_t PlanCheck::binAt(uint32_t wall, double share) const {
+    const size_t bins = binsOf(wall);
+    const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(bins);
+    return std::min(static_cast<size_t>(place), bins - 1);
+}
+
 PlanCheck::Bin& PlanCheck::binOf(uint32_t wall, size_t bin) {
     auto& bins = bins_[wall];
     if (bins.empty()) {
@@ -47,11 +53,9 @@ std::optional<PlanCheck::Stand> PlanCheck::standAt(uint32_t index, const SeenSeg
     if (distanceTo(wall, segment.place) > std::abs(behind) + pastEnd) return std::nullopt;
     if (along && std::abs(dot(*along, away)) > maxSine) return std::nullopt;
     const double share = std::clamp(shareAlong(wall, segment.place), 0.0, 1.0);
-    const size_t bins = binsOf(index);
-    const auto bin = std::min(static_cast<size_t>(share * static_cast<double>(bins)), bins - 1);
     constexpr double step = 1e-3;  // of the way, for the direction of an arc
     const TPoint2D way = placeAt(wall, share + step) - placeAt(wall, share - step);
-    return Stand{index, bin, behind, cross(way, away) < 0};
+    return Stand{index, binAt(index, share), behind, cross(way, away) < 0};
 }
 
 void PlanCheck::addOne(const SeenSegment& segment, const TPoint2D* along) {
@@ -70,18 +74,14 @@ void PlanCheck::addOne(const SeenSegment& segment, const TPoint2D* along) {
         Bin& bin = binOf(stand->wall, stand->bin);
         (stand->fromLeft ? bin.left : bin.right)
             .add(stand->behind, segment.height.width(), segment.returns);
-        return;
     }
-    if (!hit) return;
-    const Wall& wall = map_.walls()[hit->wall];
-    const double share = shareAlong(wall, segment.sensor + beam * hit->range);
-    const size_t bins = binsOf(hit->wall);
-    Bin& bin = binOf(
-        hit->wall,
-        std::min(static_cast<size_t>(std::max(0.0, share) * static_cast<double>(bins)), bins - 1));
+    if (!hit || (stand && stand->wall == hit->wall)) return;
     const double behind = (range - hit->range) * std::sin(hit->incidence);
+    if (stand && behind <= config_.gate) return;  // a wall before another one is no thing
+    const double share = shareAlong(map_.walls()[hit->wall], segment.sensor + beam * hit->range);
+    Bin& bin = binOf(hit->wall, binAt(hit->wall, share));
     if (behind > config_.gate) ++bin.through;
-    if (range < hit->range) {
+    if (behind < 0) {
         ++bin.inFront;
         bin.clearance -= behind;
     }

@@ -94,6 +94,7 @@ class PlanCheck {
                                  const mrpt::math::TPoint2D* along) const;
     Bin& binOf(uint32_t wall, size_t bin);
     size_t binsOf(uint32_t wall) const;
+    size_t binAt(uint32_t wall, double share) const;
     BinCheck checkOf(const Bin& bin) const;
 
     const core::LineMap& map_;
