@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/live/VelodyneTurns.h>
+#include <offmap/rawlog/VelodyneModel.h>
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace offmap::live {
+
+namespace {
+
+using Scan = mrpt::obs::CObservationVelodyneScan;
+
+constexpr int circle = 36000;  // [1/100 deg]
+
+/// The packet's fields are not aligned.
+int rotationOf(const VelodynePacket& packet) {
+    uint16_t rotation = 0;
+    std::memcpy(&rotation, reinterpret_cast<const char*>(&packet.blocks[0]) + 2, sizeof rotation);
+    return mrpt::toNativeEndianness(rotation) % circle;
+}
+
+uint32_t stampOf(const VelodynePacket& packet) {
+    uint32_t stamp = 0;
+    std::memcpy(&stamp,
+                reinterpret_cast<const char*>(&packet) + Scan::BLOCKS_PER_PACKET * Scan::SIZE_BLOCK,
+                sizeof stamp);
+    return mrpt::toNativeEndianness(stamp);
+}
+
+/// [us] from packet to packet. \throw std::invalid_argument for another model
+double periodOf(const VelodynePacket& packet) {
+    Scan scan;
+    scan.scan_packets.push_back(packet);
+    const rawlog::VelodyneModel& model = rawlog::modelOf(scan);
+    if (model.twoBanks) {
+        throw std::invalid_argument("an HDL-64E, whose calibration its packets do not tell");
+    }
+    const int rotations = packet.laser_return_mode == Scan::RETMODE_DUAL
+                              ? Scan::BLOCKS_PER_PACKET / 2
+                              : Scan::BLOCKS_PER_PACKET;
+    return rotations * model.blockPeriod;
+}
+
+}  // namespace
+
+VelodyneTurn VelodyneTurns::add(const VelodynePacket& packet, mrpt::Clock::time_point arrived) {
+    countMissing(stampOf(packet), periodOf(packet));
+    if (!turn_) {
+        turn_ = Scan::Create();
+        turn_->sensorLabel = label_;
+        turn_->timestamp = turn_->originalReceivedTimestamp = arrived;
+        swept_ = 0;
+    }
+    turn_->scan_packets.push_back(packet);
+    return turnEndsWith(rotationOf(packet)) ? std::exchange(turn_, nullptr) : nullptr;
+}
+
+VelodyneTurn VelodyneTurns::finish() {
+    lastStamp_.reset();
+    lastRotation_.reset();
+    return std::exchange(turn_, nullptr);
+}
+
+/// Stamps count within the hour. What is late by more than a second was not lost but not sent.
+void VelodyneTurns::countMissing(uint32_t stamp, double period) {
+    constexpr uint32_t hour = 3'600'000'000U, second = 1'000'000U;
+    const auto before = std::exchange(lastStamp_, stamp);
+    if (!before || stamp >= hour || *before >= hour) return;
+    const uint32_t passed = (stamp + hour - *before) % hour;
+    if (passed > second) return;
+    const long periods = std::lround(passed / period);
+    if (periods > 1) missing_ += static_cast<uint64_t>(periods - 1);
+}
+
+/// Whether the next packet would begin behind 0 degrees. A turn that has just begun there does not
+/// end at once, if the head is slower than it was.
+bool VelodyneTurns::turnEndsWith(int rotation) {
+    const auto before = std::exchange(lastRotation_, rotation);
+    if (!before) return false;
+    const int advance = (rotation + circle - *before) % circle;
+    swept_ += advance;
+    return swept_ > circle / 2 && rotation + advance >= circle;
+}
+
+}  // namespace offmap::live

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VelodyneStream.h"
+
+#include <offmap/live/VelodyneTurns.h>
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace offmap::live {
+namespace {
+
+using test::VelodyneStream;
+
+const auto now = mrpt::Clock::fromDouble(1.7e9);
+
+/// The turns of packets [from, to) of the stream.
+std::vector<VelodyneTurn> turnsOf(VelodyneTurns& turns, uint64_t from, uint64_t to) {
+    static const VelodyneStream stream;
+    std::vector<VelodyneTurn> all;
+    for (uint64_t n = from; n < to; ++n) {
+        const auto turn = turns.add(stream.packet(n), now + std::chrono::milliseconds(n));
+        if (turn) all.push_back(turn);
+    }
+    return all;
+}
+
+TEST(VelodyneTurns, everyPacketIsInOneTurn) {
+    VelodyneTurns turns("VLP16");
+    auto all = turnsOf(turns, 0, 10 * 75);
+    if (const auto rest = turns.finish()) all.push_back(rest);
+    const VelodyneStream stream;
+    uint64_t n = 0;
+    for (const VelodyneTurn& turn : all) {
+        for (const auto& packet : turn->scan_packets)
+            EXPECT_EQ(test::rangesOf(packet), test::rangesOf(stream.packet(n++)));
+    }
+    EXPECT_EQ(n, 750U);
+    EXPECT_EQ(turns.packetsMissing(), 0U);
+}
+
+// The sample begins somewhere on the circle; from the first passage of 0 degrees on, each turn is
+// one round of the sample's 75 packets.
+TEST(VelodyneTurns, endWhereTheHeadPassesItsZero) {
+    VelodyneTurns turns("VLP16");
+    const auto all = turnsOf(turns, 0, 10 * 75);
+    ASSERT_GE(all.size(), 9U);
+    for (size_t i = 1; i < all.size(); ++i) {
+        EXPECT_EQ(all[i]->scan_packets.size(), 75U) << i;
+        EXPECT_LT(all[i]->scan_packets.front().blocks[0].rotation(), 500) << "5 degrees";
+    }
+    EXPECT_EQ(all[1]->sensorLabel, "VLP16");
+    const auto packetsBefore = static_cast<int64_t>(all[0]->scan_packets.size());
+    EXPECT_EQ(all[1]->timestamp, now + std::chrono::milliseconds(packetsBefore));
+}
+
+TEST(VelodyneTurns, countWhatIsMissingByTheStamps) {
+    VelodyneTurns turns("VLP16");
+    turnsOf(turns, 0, 100);
+    turnsOf(turns, 103, 200);
+    turnsOf(turns, 201, 300);
+    EXPECT_EQ(turns.packetsMissing(), 4U);
+}
+
+TEST(VelodyneTurns, theHourMayBeginAnew) {
+    const auto lastOfHour = static_cast<uint64_t>(3.6e9 / VelodyneStream::period);
+    VelodyneTurns turns("VLP16");
+    turnsOf(turns, lastOfHour - 5, lastOfHour + 5);
+    EXPECT_EQ(turns.packetsMissing(), 0U);
+}
+
+TEST(VelodyneTurns, afterAnEndWhatWasNotSentIsNotMissing) {
+    VelodyneTurns turns("VLP16");
+    turnsOf(turns, 0, 100);
+    EXPECT_TRUE(turns.finish());
+    EXPECT_FALSE(turns.finish()) << "nothing is left";
+    turnsOf(turns, 400, 500);
+    EXPECT_EQ(turns.packetsMissing(), 0U);
+}
+
+TEST(VelodyneTurns, anotherModelIsRefused) {
+    VelodyneTurns turns("VLP16");
+    auto packet = test::emptyVlp16Packet(0);
+    packet.velodyne_model_ID = 0x28;
+    EXPECT_THROW(turns.add(packet, now), std::invalid_argument);
+    EXPECT_THROW(turns.add(test::emptyHdl64Packet(0), now), std::invalid_argument);
+    EXPECT_FALSE(turns.finish());
+}
+
+}  // namespace
+}  // namespace offmap::live
