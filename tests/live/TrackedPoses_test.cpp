@@ -63,6 +63,8 @@ TEST(TrackedPoses, refuseWhatIsNotFinite) {
 /// Clouds of a robot that drives through the office at 0.5 m/s and turns at 20 degrees a second.
 class Drive : public ScanSource {
  public:
+    Drive() { truth.reserve(20); }  // it is read while it grows
+
     std::optional<ArrivedTurn> next(const std::stop_token& stop) override {
         if (truth.size() == 20 || stop.stop_requested()) return std::nullopt;
         robot_.pose = robot_.pose + mrpt::poses::CPose3D(0.05, 0, 0, mrpt::DEG2RAD(2.0), 0, 0);

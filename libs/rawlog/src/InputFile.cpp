@@ -8,6 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <sys/stat.h>
+#include <utility>
 #include <zlib.h>
 
 namespace offmap::rawlog {
@@ -44,8 +45,10 @@ void endInflate(z_stream* stream) {
 
 }  // namespace
 
-InputFile::InputFile(const std::filesystem::path& file)
-    : file_(std::fopen(file.c_str(), "rbe"), std::fclose), inflate_(nullptr, endInflate) {
+InputFile::InputFile(const std::filesystem::path& file, WaitForMore waitForMore)
+    : file_(std::fopen(file.c_str(), "rbe"), std::fclose),
+      waitForMore_(std::move(waitForMore)),
+      inflate_(nullptr, endInflate) {
     if (!file_) failToOpen(file, errno);
     compressedSize_ = checkedSize(file_.get(), file);
     std::setvbuf(file_.get(), nullptr, _IONBF, 0);
@@ -88,7 +91,10 @@ bool InputFile::fill() {
 }
 
 bool InputFile::readPiece(std::vector<unsigned char>& to, size_t& size) {
-    size = std::fread(to.data(), 1, to.size(), file_.get());
+    do {
+        std::clearerr(file_.get());  // the end of the file, where it ended before
+        size = std::fread(to.data(), 1, to.size(), file_.get());
+    } while (size == 0 && !std::ferror(file_.get()) && waitForMore_ && waitForMore_());
     compressedPosition_ += size;
     if (std::ferror(file_.get())) failure_ = fmt::format("read error: {}", std::strerror(errno));
     return size > 0;

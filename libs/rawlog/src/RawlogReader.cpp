@@ -12,13 +12,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <utility>
 
 namespace offmap::rawlog {
 namespace {
 
-InputFile opened(const std::filesystem::path& file) {
+InputFile opened(const std::filesystem::path& file, InputFile::WaitForMore waitForMore) {
     try {
-        return InputFile(file);
+        return InputFile(file, std::move(waitForMore));
     } catch (const std::runtime_error& e) {
         throw RawlogError(e.what(), {});
     }
@@ -48,9 +49,10 @@ bool belongsInRawlog(const mrpt::serialization::CSerializable* object) {
 
 }  // namespace
 
-RawlogReader::RawlogReader(const std::filesystem::path& file)
+RawlogReader::RawlogReader(const std::filesystem::path& file,
+                           InputFile::WaitForMore waitForMore)
     : file_(file),
-      input_(opened(file)),
+      input_(opened(file, std::move(waitForMore))),
       stream_(input_),
       archive_(
           mrpt::serialization::archiveUniquePtrFrom(static_cast<mrpt::io::CStream&>(stream_))) {

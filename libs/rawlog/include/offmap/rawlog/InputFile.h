@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,8 +19,11 @@ namespace offmap::rawlog {
 /// appended from one that is complete.
 class InputFile {
  public:
+    /// Called where the file ends for now; true: it may have grown, so that reading goes on.
+    using WaitForMore = std::function<bool()>;
+
     /// \throw std::runtime_error naming the file, the cause and the fix.
-    explicit InputFile(const std::filesystem::path& file);
+    explicit InputFile(const std::filesystem::path& file, WaitForMore waitForMore = {});
 
     /// Reads up to `count` uncompressed bytes; fewer only where the file ends or fails.
     size_t read(void* to, size_t count);
@@ -42,6 +46,7 @@ class InputFile {
     bool readPiece(std::vector<unsigned char>& to, size_t& size);
 
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    WaitForMore waitForMore_;
     std::unique_ptr<z_stream_s, void (*)(z_stream_s*)> inflate_;  ///< null: the file is plain
     std::vector<unsigned char> compressed_, plain_;
     size_t plainBegin_ = 0, plainEnd_ = 0;  ///< what of plain_ is not yet read

@@ -36,8 +36,10 @@ struct RawlogEntry {
 /// MRPT's deserialiser, so files that are not trusted are read inside runGuarded().
 class RawlogReader {
  public:
+    /// \param waitForMore of a log that is still being written, see InputFile
     /// \throw RawlogError if the file cannot be opened, is empty or not what it should be.
-    explicit RawlogReader(const std::filesystem::path& file);
+    explicit RawlogReader(const std::filesystem::path& file,
+                          InputFile::WaitForMore waitForMore = {});
     RawlogReader(const RawlogReader&) = delete;
     RawlogReader& operator=(const RawlogReader&) = delete;
 
