@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CellOfChance.h"
+
 #include <offmap/maps/GridDrawing.h>
 #include <offmap/maps/GridFile.h>
 
@@ -136,13 +138,10 @@ void requireConsistent(const Bounds& bounds, const std::string& name) {
 
 /// What each byte of a file means.
 std::array<Cell, 256> meaningOfBytes() {
-    constexpr float occupied = 0.4F, free = 0.6F;
     std::array<Cell, 256> meaning{};
     for (int value = -128; value < 128; ++value) {
-        const float chance = mrpt::maps::COccupancyGridMap2D::l2p(static_cast<int8_t>(value));
-        meaning[static_cast<uint8_t>(value)] = chance < occupied ? Cell::Occupied
-                                               : chance > free   ? Cell::Free
-                                                                 : Cell::Unknown;
+        meaning[static_cast<uint8_t>(value)] =
+            cellOfChance(mrpt::maps::COccupancyGridMap2D::l2p(static_cast<int8_t>(value)));
     }
     return meaning;
 }

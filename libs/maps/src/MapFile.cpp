@@ -4,6 +4,9 @@
 #include <offmap/maps/LayerChoice.h>
 #include <offmap/maps/LineCleaning.h>
 #include <offmap/maps/MapFile.h>
+#include <offmap/maps/MapPicture.h>
+#include <offmap/maps/RosMap.h>
+#include <offmap/maps/SimpleMapFile.h>
 #include <offmap/maps/SvgMap.h>
 #include <offmap/maps/TextMap.h>
 #include <offmap/maps/VectorDrawing.h>
@@ -48,6 +51,9 @@ const std::vector<Family>& families() {
         {{".svg", ".svgz"}, readSvgMap},
         {{".dwg"}, refuseDwg},
         {{".gridmap", ".gridmap.gz"}, readGridMapDrawing},
+        {{".simplemap", ".simplemap.gz"}, readSimpleMap},
+        {{".yaml", ".yml"}, readRosMap},
+        {pictureExtensions(), readMapPicture},
     };
     return all;
 }
