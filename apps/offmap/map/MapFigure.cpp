@@ -78,8 +78,10 @@ void addLegend(const maps::MapOfFile& map, const std::vector<size_t>& order, siz
     if (shown < order.size()) {
         figure.legend.push_back({fmt::format("{} shorter layers", order.size() - shown), others});
     }
-    figure.legend.push_back(
-        {"± 1 sigma, " + sigmaText(map.walls), view::planColour(0), PlanLegendEntry::Mark::Band});
+    if (std::ranges::any_of(figure.strokes, [](const auto& stroke) { return stroke.band > 0; })) {
+        figure.legend.push_back({"± 1 sigma, " + sigmaText(map.walls), view::planColour(0),
+                                 PlanLegendEntry::Mark::Band});
+    }
     if (std::ranges::any_of(map.walls, isBounded)) {
         figure.legend.push_back(
             {"of limited height", view::planColour(0), PlanLegendEntry::Mark::DashedLine});

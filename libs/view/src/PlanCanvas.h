@@ -37,7 +37,7 @@ class PlanCanvas {
     /// Its letters stand on y.
     void text(const std::string& text, double x, double y, Align align = Align::Left);
     /// Turned to run upwards, its middle at y.
-    void textUpwards(const std::string& text, double x, double y);
+    void textUpwards(const std::string& words, double x, double y);
 
     cairo_surface_t* surface() { return surface_.get(); }
     /// \throw std::runtime_error if anything went wrong
