@@ -7,12 +7,11 @@
 #include "../UsageError.h"
 #include "GuardedLogs.h"
 #include "LogTurns.h"
+#include "MapConversion.h"
 #include "MapFromLogOptions.h"
 
 #include <offmap/core/WallGeometry.h>
 #include <offmap/evaluation/WallTracer.h>
-#include <offmap/maps/TextMapWriter.h>
-#include <offmap/rawlog/OutputFile.h>
 
 #include <fmt/format.h>
 
@@ -82,9 +81,17 @@ Tracing traceRepeatedly(const MapFromLogOptions& options, const std::vector<Visi
         options.minLength, counted(minScans, "scan"), minScans == 1 ? "s" : ""));
 }
 
+maps::MapOfFile mapOf(const std::vector<core::Wall>& walls) {
+    maps::MapOfFile map;
+    map.format = "traced";
+    map.walls = walls;
+    map.layerOf.assign(walls.size(), 0);
+    map.layers.push_back({.name = "", .lines = walls.size(), .walls = walls.size()});
+    return map;
+}
+
 int makeMap(const MapFromLogOptions& options, const rawlog::Config& config,
             rawlog::GuardedStatus& status, const AtLog& atLog) {
-    rawlog::OutputFile out(options.output, {{}, options.force, &status});
     std::vector<VisitedLog> logs;
     for (size_t i = 0; i < options.logs.size(); ++i) {
         atLog(i);
@@ -93,10 +100,9 @@ int makeMap(const MapFromLogOptions& options, const rawlog::Config& config,
     }
     const Tracing tracing = traceRepeatedly(options, logs, config, status, atLog);
     const std::vector<core::Wall> walls = wallsOf(tracing.walls);
-    out.write(maps::textMapOf(walls));
-    out.finish();
-    status.beginPublishing();
-    out.publish();
+    constexpr double gridCell = 0.05;  // [m]
+    mapWriterOf(options.output)
+        .write({mapOf(walls), options.output, gridCell, {{}, options.force, &status}});
     double length = 0;  // [m]
     for (const core::Wall& wall : walls) length += lengthOf(wall);
     say(stdout, "{}{}",
@@ -117,7 +123,13 @@ int makeMapGuarded(const MapFromLogOptions& options) {
     std::vector<NamedFile> read{{"--config", options.config.file},
                                 {"--trajectory", options.poses.trajectory}};
     for (const auto& log : options.logs) read.emplace_back("LOG", log);
-    requireDistinct({{"OUT", options.output}}, read);
+    std::vector<NamedFile> written{{"OUT", options.output}};
+    for (const auto& file : companionsOf(options.output)) written.emplace_back("OUT", file);
+    requireDistinct(written, read);
+    for (const auto& [name, file] : written) {
+        if (options.force || !std::filesystem::exists(file)) continue;
+        throw std::runtime_error(file.string() + " exists already; --force replaces it");
+    }
     const rawlog::Config config = options.readConfig();
     return workOnLogs(options.logs, [&](rawlog::GuardedStatus& status, const AtLog& atLog) {
         return makeMap(options, config, status, atLog);

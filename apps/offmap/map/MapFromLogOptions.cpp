@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapFromLogOptions.h"
 
+#include "../NumberList.h"
 #include "../SensorPoses.h"
 #include "../UsageError.h"
 
@@ -15,9 +16,13 @@ void MapFromLogOptions::addTo(CLI::App& command) {
     command.add_option("LOG", logs, "Rawlogs whose poses are in one frame; they are only read")
         ->required()
         ->type_name("FILE");
-    command.add_option("-o,--out", output, "Where the map is written")
+    command
+        .add_option("-o,--out", output,
+                    "The map, in the format of its extension: .lines, .dxf, .geojson, .svg, "
+                    "a grid")
         ->required()
-        ->type_name("MAP.lines");
+        ->type_name("MAP")
+        ->check(notEmpty);
     command.add_option("--min-length", minLength, "Shorter lines are no walls (0.5)")
         ->type_name("METRES");
     command
