@@ -26,6 +26,8 @@ int reportingErrors(const std::function<int()>& work) {
     } catch (const UsageError& error) {
         say(stderr, "offmap: {}\n", error.what());
         return exitUsage;
+    } catch (const AlreadyTold& told) {
+        return told.exitCode();
     } catch (const Interrupted& interrupted) {
         return exitCodeOfInterruption(interrupted.signal());
     } catch (const std::exception& error) {

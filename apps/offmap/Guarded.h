@@ -18,6 +18,16 @@ class Interrupted : public std::exception {
     int signal_;
 };
 
+/// A child has said what is wrong; only its exit code is left to hand on.
+class AlreadyTold : public std::exception {
+ public:
+    explicit AlreadyTold(int exitCode) : exitCode_(exitCode) {}
+    int exitCode() const { return exitCode_; }
+
+ private:
+    int exitCode_;
+};
+
 /// Does the work and turns what it throws into a message on stderr and an exit code.
 int reportingErrors(const std::function<int()>& work);
 

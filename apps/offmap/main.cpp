@@ -6,6 +6,7 @@
 #include "RenderCommand.h"
 #include "ScoreCommand.h"
 #include "UsageError.h"
+#include "live/LiveCommand.h"
 #include "map/MapCommand.h"
 #include "simulate/SimulateCommand.h"
 
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
     addRenderCommand(app, exitCode);
     addInfoCommand(app, exitCode);
     addScoreCommand(app, exitCode);
+    addLiveCommand(app, exitCode);
     addSimulateCommand(app, exitCode);
     addMapCommand(app, exitCode);
     return reportingErrors([&] {

@@ -25,11 +25,13 @@ LiveReduction::LiveReduction(std::unique_ptr<ScanSource> source, LiveSetup setup
       receiver_([this](const std::stop_token& stop) { receive(stop); }),
       reducer_([this](const std::stop_token& stop) { reduceAll(stop); }) {}
 
-LiveReduction::~LiveReduction() {
-    receiver_.request_stop();
-    reducer_.request_stop();
-    receiver_.join();
-    reducer_.join();
+LiveReduction::~LiveReduction() { stop(); }
+
+void LiveReduction::stop() {
+    for (std::jthread* thread : {&receiver_, &reducer_}) thread->request_stop();
+    for (std::jthread* thread : {&receiver_, &reducer_}) {
+        if (thread->joinable()) thread->join();
+    }
 }
 
 void LiveReduction::receive(const std::stop_token& stop) {

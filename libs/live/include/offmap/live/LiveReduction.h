@@ -38,7 +38,6 @@ class LiveReduction {
  public:
     /// Starts at once. \throw std::invalid_argument if the configuration is not valid
     LiveReduction(std::unique_ptr<ScanSource> source, LiveSetup setup, LiveOptions options = {});
-    /// Stops and waits until both threads have ended.
     ~LiveReduction();
     LiveReduction(const LiveReduction&) = delete;
     LiveReduction& operator=(const LiveReduction&) = delete;
@@ -58,6 +57,9 @@ class LiveReduction {
     bool waitUntilFinished(std::chrono::milliseconds longest) const;
     /// Why the reduction ended, if it did before the source; else empty.
     std::string failure() const;
+
+    /// Stops both threads and waits for their end; what was received last may not be reduced.
+    void stop();
 
     ScanSource& source() { return *source_; }
 
