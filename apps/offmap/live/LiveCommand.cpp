@@ -65,6 +65,7 @@ void waitForEnd(const LiveCommandOptions& options, const live::LiveReduction& re
 
 int run(const LiveCommandOptions& options) {
     const rawlog::Config config = options.shared.readConfig();
+    options.speedFactor();  // what is wrong with it is told now
     requireDistinct({{"--record", options.record}},
                     {{"SOURCE", options.source}, {"--map", options.shared.map}});
     LoadedMap map = options.shared.readMap(config);
