@@ -14,11 +14,10 @@ namespace offmap::maps {
 MemoryFile::MemoryFile(std::string bytes, std::string_view extension) : content_(std::move(bytes)) {
     static std::atomic<uint64_t> count = 0;
     name_ = fmt::format("/vsimem/offmap_{}{}", count++, extension);
+    if (content_.empty()) return;
     constexpr int ours = FALSE;  // GDAL reads the bytes where they are
-    VSILFILE* file = content_.empty()
-                         ? VSIFOpenL(name(), "wb")
-                         : VSIFileFromMemBuffer(name(), reinterpret_cast<GByte*>(content_.data()),
-                                                content_.size(), ours);
+    VSILFILE* file = VSIFileFromMemBuffer(name(), reinterpret_cast<GByte*>(content_.data()),
+                                          content_.size(), ours);
     if (file == nullptr || VSIFCloseL(file) != 0) {
         throw std::runtime_error("GDAL cannot make a file in memory");
     }

@@ -11,7 +11,7 @@ namespace offmap::maps {
 
 /// Makes the coordinates of the lines metres in a plane: by their unit, or by projecting those on
 /// the earth. Says in the drawing's notes what was assumed, and in its warnings what smells.
-/// \return whether it was projected
+/// \return whether they were degrees and are projected
 /// \throw std::runtime_error with the fix if the coordinates are of a kind that has no plane
 bool placeInPlane(DrawnLines& lines, VectorKind kind, const MapOptions& options, Drawing& drawing);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace offmap::maps {
 
@@ -30,6 +31,18 @@ std::optional<std::string> sizeWarning(const Extent& extent, bool isProjected) {
         return is + ": does the unit hold? --map-units m (cm, mm, in, ft) says better";
     if (size > largest) return is + ": are these millimetres? --map-units mm says so";
     return std::nullopt;
+}
+
+std::optional<std::string> farNote(const Extent& extent) {
+    constexpr double far = 100'000;  // [m]
+    if (extent.isEmpty()) return std::nullopt;
+    const double distance = std::max({std::abs(extent.low.x), std::abs(extent.low.y),
+                                      std::abs(extent.high.x), std::abs(extent.high.y)});
+    if (distance < far) return std::nullopt;
+    return fmt::format(
+        "its places lie up to {} from its origin: the poses have to be in that frame, else "
+        "--map-anchor (of a map of the earth) or --map-origin shifts it",
+        length(distance));
 }
 
 }  // namespace offmap::maps

@@ -12,4 +12,7 @@ namespace offmap::maps {
 /// \param extent [m] \param isProjected its coordinates were degrees
 std::optional<std::string> sizeWarning(const Extent& extent, bool isProjected);
 
+/// What is to know of a map that lies far from its origin; none if it does not. \param extent [m]
+std::optional<std::string> farNote(const Extent& extent);
+
 }  // namespace offmap::maps

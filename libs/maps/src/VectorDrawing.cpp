@@ -90,23 +90,26 @@ std::string leftOut(const DrawnLines& lines) {
     return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
+void judgeExtent(Extent extent, bool isProjected, double scale, Drawing& drawing) {
+    if (const auto note = farNote(extent)) drawing.notes.push_back(*note);
+    extent.low *= scale;
+    extent.high *= scale;
+    if (const auto warning = sizeWarning(extent, isProjected)) drawing.warnings.push_back(*warning);
+}
+
 Drawing drawingOf(DrawnLines lines, const VectorFormat& format, const MapOptions& options) {
     Drawing drawing;
     drawing.format = format.name;
     drawing.isDrawnByHand = true;
     drawing.warnings = lines.warnings;
-    const bool isGeographic = placeInPlane(lines, format.kind, options, drawing);
+    const bool isProjected = placeInPlane(lines, format.kind, options, drawing);
     WallMaker(lines, options.sigma, drawing).make();
     if (!lines.leftOut.empty()) drawing.notes.push_back("left out: " + leftOut(lines));
     if (lines.hasHeights) {
         drawing.notes.emplace_back(
             "heights (z) of its places are dropped; layer rules set heights");
     }
-    Extent extent = extentOf(lines.points);
-    extent.low *= options.scale;
-    extent.high *= options.scale;
-    if (const auto warning = sizeWarning(extent, isGeographic))
-        drawing.warnings.push_back(*warning);
+    judgeExtent(extentOf(lines.points), isProjected, options.scale, drawing);
     if (!drawing.walls.empty()) return drawing;
     std::string why = "the map holds no wall";
     if (!lines.leftOut.empty()) why += "; left out: " + leftOut(lines);
