@@ -37,11 +37,6 @@ class DrawingFile : public DrawingFixture {
         layerOfEach_.emplace_back(layer);
     }
 
-    maps::Drawing writtenAndRead(const char* name) const {
-        maps::writeDrawing(folder_ / name, walls_, layerOfEach_);
-        return maps::readVectorDrawing(folder_ / name, {});
-    }
-
     /// Lines to the digits that a file has, arcs within what they are drawn and found with:
     /// half a millimetre, and one.
     void expectSame(const maps::Drawing& drawing) const {
@@ -63,14 +58,14 @@ class DrawingFile : public DrawingFixture {
 };
 
 TEST_F(DrawingFile, dxfIsReadBackInMetresWithoutADoubt) {
-    const auto drawing = writtenAndRead("plan.dxf");
+    const auto drawing = read("plan.dxf", maps::dxfOf(walls_, layerOfEach_));
     expectSame(drawing);
     EXPECT_THAT(drawing.notes, ElementsAre(HasSubstr("unit: metres, by the drawing's $INSUNITS")));
     EXPECT_THAT(drawing.warnings, IsEmpty());
 }
 
 TEST_F(DrawingFile, geoJsonIsReadBackInMetresWithoutADoubt) {
-    const auto drawing = writtenAndRead("plan.geojson");
+    const auto drawing = read("plan.geojson", maps::geoJsonOf(walls_, layerOfEach_));
     expectSame(drawing);
     EXPECT_THAT(drawing.notes, ElementsAre(HasSubstr("coordinates: local")));
     EXPECT_THAT(drawing.warnings, IsEmpty());
@@ -87,33 +82,14 @@ TEST_F(DrawingFile, sameWallsGiveTheSameBytes) {
 TEST_F(DrawingFile, namesThatDxfForbidsAreChanged) {
     layerOfEach_[0] = "a*b/c";
     layerOfEach_[1] = "";
-    maps::writeDrawing(folder_ / "plan.dxf", walls_, layerOfEach_);
-    EXPECT_THAT(maps::readVectorDrawing(folder_ / "plan.dxf", {}).layers,
+    EXPECT_THAT(read("plan.dxf", maps::dxfOf(walls_, layerOfEach_)).layers,
                 ElementsAre("a_b_c", "0", "apse", "walls"));
 }
 
-TEST_F(DrawingFile, existingFileIsReplacedWhole) {
-    writeFile(folder_ / "plan.dxf", std::string(1'000'000, 'x'));
-    expectSame(writtenAndRead("plan.dxf"));
-    EXPECT_THAT(folder_.names(), ElementsAre("plan.dxf"));
-}
-
-TEST_F(DrawingFile, whatCannotBeWrittenLeavesNothing) {
-    try {
-        maps::writeDrawing(folder_ / "none" / "plan.dxf", walls_, layerOfEach_);
-        FAIL() << "there is no such folder";
-    } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("plan.dxf: cannot be written: No such file"));
-    }
-    EXPECT_THAT(folder_.names(), IsEmpty());
-}
-
-TEST_F(DrawingFile, wrongCallsAreRefused) {
-    EXPECT_THROW(maps::writeDrawing(folder_ / "plan.gpkg", walls_, layerOfEach_),
-                 std::invalid_argument);
+TEST_F(DrawingFile, eachWallNeedsALayersName) {
     layerOfEach_.pop_back();
-    EXPECT_THROW(maps::writeDrawing(folder_ / "plan.dxf", walls_, layerOfEach_),
-                 std::invalid_argument);
+    EXPECT_THROW(maps::dxfOf(walls_, layerOfEach_), std::invalid_argument);
+    EXPECT_THROW(maps::geoJsonOf(walls_, layerOfEach_), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GdalSession.h"
 #include "MemoryFile.h"
-#include "VectorFormat.h"
 
 #include <offmap/core/WallGeometry.h>
 #include <offmap/maps/DrawingFile.h>
@@ -14,14 +13,13 @@
 #include <iterator>
 #include <ogrsf_frmts.h>
 #include <stdexcept>
-#include <system_error>
-#include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace offmap::maps {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Names = std::span<const std::string>;
 
 /// An arc as pieces that are off it by less than half a millimetre, enough of them to be known for
@@ -157,30 +155,6 @@ std::string geoJsonOf(std::span<const core::Wall> walls, Names layerOfEach) {
         "\n";
     text.insert(text.find("\"features\""), planeInMetres);
     return text;
-}
-
-void writeDrawing(const fs::path& file, std::span<const core::Wall> walls, Names layerOfEach) {
-    const std::string_view format = vectorFormatOf(file).name;
-    if (format != "DXF" && format != "GeoJSON") {
-        throw std::invalid_argument(file.string() + ": drawings are written as .dxf or .geojson");
-    }
-    const std::string bytes =
-        format == "DXF" ? dxfOf(walls, layerOfEach) : geoJsonOf(walls, layerOfEach);
-    fs::path temporary = file;
-    temporary += fmt::format(".{}.part", getpid());
-    std::ofstream out(temporary, std::ios::binary);
-    out << bytes;
-    out.close();
-    std::error_code error;
-    if (out) fs::rename(temporary, file, error);
-    if (!out || error) {
-        const std::string why = error ? error.message() : std::generic_category().message(errno);
-        fs::remove(temporary, error);
-        throw std::runtime_error(
-            fmt::format("{}: cannot be written: {}; choose another folder, or "
-                        "make room in this one",
-                        file.string(), why));
-    }
 }
 
 }  // namespace offmap::maps

@@ -3,7 +3,6 @@
 
 #include <offmap/core/Wall.h>
 
-#include <filesystem>
 #include <span>
 #include <string>
 
@@ -20,12 +19,5 @@ std::string dxfOf(std::span<const core::Wall> walls, std::span<const std::string
 /// where it is bounded z_min_m and z_max_m; readMap() reads them back. \throw std::invalid_argument
 /// if the names are not as many as the walls
 std::string geoJsonOf(std::span<const core::Wall> walls, std::span<const std::string> layerOfEach);
-
-/// Writes one of these, by the extension .dxf, .geojson or .json. A file of that name is replaced
-/// when the new one is complete.
-/// \throw std::invalid_argument for another extension, or as above
-/// \throw std::runtime_error naming the file and what is wrong if it cannot be written
-void writeDrawing(const std::filesystem::path& file, std::span<const core::Wall> walls,
-                  std::span<const std::string> layerOfEach);
 
 }  // namespace offmap::maps
