@@ -11,13 +11,24 @@
 
 namespace offmap::maps {
 
-MemoryFile::MemoryFile(std::string bytes, std::string_view extension) : content_(std::move(bytes)) {
+namespace {
+
+std::string newName(std::string_view extension) {
     static std::atomic<uint64_t> count = 0;
-    name_ = fmt::format("/vsimem/offmap_{}{}", count++, extension);
-    if (content_.empty()) return;
+    return fmt::format("/vsimem/offmap_{}{}", count++, extension);
+}
+
+}  // namespace
+
+MemoryFile::MemoryFile() : name_(newName("")) {}
+
+MemoryFile::MemoryFile(std::string bytes, std::string_view extension)
+    : content_(std::move(bytes)), name_(newName(extension)) {
     constexpr int ours = FALSE;  // GDAL reads the bytes where they are
-    VSILFILE* file = VSIFileFromMemBuffer(name(), reinterpret_cast<GByte*>(content_.data()),
-                                          content_.size(), ours);
+    VSILFILE* file = content_.empty()
+                         ? VSIFOpenL(name(), "wb")
+                         : VSIFileFromMemBuffer(name(), reinterpret_cast<GByte*>(content_.data()),
+                                                content_.size(), ours);
     if (file == nullptr || VSIFCloseL(file) != 0) {
         throw std::runtime_error("GDAL cannot make a file in memory");
     }

@@ -9,8 +9,9 @@ namespace offmap::maps {
 /// A file that GDAL can open and that stands in memory, under a name that no other has.
 class MemoryFile {
  public:
-    /// Without bytes it is yet to be written.
-    explicit MemoryFile(std::string bytes = {}, std::string_view extension = {});
+    /// One that is yet to be written.
+    MemoryFile();
+    explicit MemoryFile(std::string bytes, std::string_view extension = {});
     ~MemoryFile();
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
