@@ -48,8 +48,9 @@ class SeenPlaces {
 /// Reads the logs and compares what they show with the map.
 class Checking {
  public:
-    Checking(const MapCheckOptions& options, const rawlog::Config& config, const core::LineMap& map)
-        : options_(options), config_(config), map_(map), check_(map, options.check) {}
+    Checking(const rawlog::Config& config, const core::LineMap& map,
+             const evaluation::PlanCheckConfig& settings)
+        : config_(config), map_(map), check_(map, settings) {}
 
     void addLog(const VisitedLog& log, rawlog::GuardedStatus& status) {
         result_.warnings.insert(result_.warnings.end(), log.warnings.begin(), log.warnings.end());
@@ -103,7 +104,6 @@ class Checking {
         }
     }
 
-    const MapCheckOptions& options_;
     const rawlog::Config& config_;
     const core::LineMap& map_;
     evaluation::PlanCheck check_;
@@ -179,7 +179,7 @@ MapCheckResult checkRepeatedly(const MapCheckOptions& options, const rawlog::Con
     MapCheckResult result;
     for (int check = 0; check < checks; ++check) {
         const core::LineMap map = doubted(walls, result.walls, options.check.gate);
-        Checking checking(options, config, map);
+        Checking checking(config, map, options.check);
         for (size_t i = 0; i < logs.size(); ++i) {
             atLog(i);
             checking.addLog(logs[i], status);

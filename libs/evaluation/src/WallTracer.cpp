@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace offmap::evaluation {
 
@@ -103,10 +102,10 @@ void WallTracer::insert(Trace trace) {
         trace.to = reach.to;
         TPoint2D normal = normalOf(line);
         trace.away = dot(normal, trace.away) < 0 ? normal * -1 : normal;
-        *other = std::move(traces_.back());
+        *other = traces_.back();
         traces_.pop_back();
     }
-    traces_.push_back(std::move(trace));
+    traces_.push_back(trace);
 }
 
 void WallTracer::add(std::span<const SeenSegment> segments) {

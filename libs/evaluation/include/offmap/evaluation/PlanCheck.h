@@ -90,7 +90,7 @@ class PlanCheck {
     };
 
     void addOne(const SeenSegment& segment, const mrpt::math::TPoint2D* along);
-    std::optional<Stand> standAt(uint32_t wall, const SeenSegment& segment,
+    std::optional<Stand> standAt(uint32_t index, const SeenSegment& segment,
                                  const mrpt::math::TPoint2D* along) const;
     Bin& binOf(uint32_t wall, size_t bin);
     size_t binsOf(uint32_t wall) const;
