@@ -113,7 +113,7 @@ TEST_F(MapPicture, damagedPngIsRefused) {
     EXPECT_THAT(refusal(png.substr(0, 20)), HasSubstr("plan.png: "));
     EXPECT_THAT(refusal(png.substr(0, png.size() - 20)), HasSubstr("damaged"));
     EXPECT_THAT(refusal("not a picture"), HasSubstr("no picture of a kind that can be read"));
-    EXPECT_THAT(refusal(""), HasSubstr("no picture of a kind that can be read"));
+    EXPECT_THAT(refusal(""), HasSubstr("the file is empty"));
 }
 
 TEST_F(MapPicture, withoutResolutionIsRefused) {

@@ -75,7 +75,7 @@ TSegment2D withoutLoss(const Piece& piece, const TSegment2D& joined) {
 void addLines(std::span<const Piece> pieces, bool closed, std::vector<TSegment2D>& lines) {
     const auto add = [&](const TPoint2D& from, const TPoint2D& to) {
         // The end of a thin wall comes to nothing, as both its sides come to its middle.
-        constexpr double nothing = 1e-6;
+        constexpr double nothing = 0.1;  // [cells]
         if (distance(from, to) > nothing) lines.push_back({from, to});
     };
     const std::vector<Joint> joints = jointsOf(pieces, closed && pieces.size() > 1);

@@ -99,6 +99,7 @@ PictureGrid readPicture(const std::filesystem::path& file, double resolution,
     const std::string name = file.string();
     constexpr size_t mostBytes = 1'000'000'000;
     std::string bytes = bytesOf(file, mostBytes);
+    if (bytes.empty()) refuse(name, "the file is empty");
     const std::optional<double> white = netpbmWhite(bytes, name);
     const MemoryFile memory(std::move(bytes));
     const GdalSession session;

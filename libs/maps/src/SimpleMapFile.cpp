@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellOfChance.h"
-#include "PrintableName.h"
 
 #include <offmap/maps/GridDrawing.h>
 #include <offmap/maps/SimpleMapFile.h>
@@ -36,8 +35,8 @@ mrpt::maps::CSimpleMap load(const std::string& name) {
     mrpt::maps::CSimpleMap map;
     try {
         mrpt::serialization::archiveFrom(in) >> map;
-    } catch (const std::exception& error) {
-        refuse(name, "is no MRPT simple map, or damaged: " + printableName(error.what(), 100));
+    } catch (const std::exception&) {  // MRPT tells its own code's places, not the file's
+        refuse(name, "is no MRPT simple map, or it is damaged; save the map again");
     }
     return map;
 }
