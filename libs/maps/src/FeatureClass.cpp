@@ -30,7 +30,7 @@ bool isTransparent(std::string_view style) {
 /// A tag that GDAL gives a field of its own, or one in "other_tags":
 /// "height"=>"3","indoor"=>"wall".
 std::string tag(const OGRFeature& feature, const std::string& key) {
-    const std::string own = field(feature, key.c_str());
+    std::string own = field(feature, key.c_str());
     if (!own.empty()) return own;
     const std::string others = field(feature, "other_tags"), entry = "\"" + key + "\"=>\"";
     const size_t found = others.find(entry);
