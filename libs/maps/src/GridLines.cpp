@@ -76,7 +76,7 @@ void addLines(std::span<const Piece> pieces, bool closed, std::vector<TSegment2D
     const auto add = [&](const TPoint2D& from, const TPoint2D& to) {
         // The end of a thin wall comes to nothing, as both its sides come to its middle.
         constexpr double nothing = 0.1;  // [cells]
-        if (distance(from, to) > nothing) lines.push_back({from, to});
+        if (distance(from, to) > nothing) lines.emplace_back(from, to);
     };
     const std::vector<Joint> joints = jointsOf(pieces, closed && pieces.size() > 1);
     for (size_t i = 0; i < pieces.size(); ++i) {
@@ -101,7 +101,7 @@ void addStrays(std::span<const FaceChain> chains, std::vector<TSegment2D>& lines
         for (const Face& face : chain.faces) {
             const TPoint2D middle = placeOf(face.cell) + TPoint2D{0.5, 0.5};
             if (map.nearestWall(middle, near, 0)) continue;
-            lines.push_back({placeOf(face.start()), placeOf(face.end())});
+            lines.emplace_back(placeOf(face.start()), placeOf(face.end()));
         }
     }
 }

@@ -31,7 +31,8 @@ NetpbmHeader netpbmHeader(std::string_view bytes, const std::string& name) {
     size_t at = 2;
     const auto number = [&]() -> uint64_t {
         constexpr std::string_view blanks = " \t\r\n\v\f";
-        while (at < bytes.size() && (bytes[at] == '#' || blanks.find(bytes[at]) != blanks.npos)) {
+        while (at < bytes.size() &&
+               (bytes[at] == '#' || blanks.find(bytes[at]) != std::string_view::npos)) {
             if (bytes[at] == '#') at = std::min(bytes.find('\n', at), bytes.size());
             if (at < bytes.size()) ++at;
         }
