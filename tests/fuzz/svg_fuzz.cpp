@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
     options.minLength = 0.05;
     offmap::maps::MapOfFile map;
     try {
-        map = offmap::maps::mapOf(offmap::maps::parseSvgMap(text, "fuzz", options), options, "fuzz");
+        map =
+            offmap::maps::mapOf(offmap::maps::parseSvgMap(text, "fuzz", options), options, "fuzz");
     } catch (const std::runtime_error&) {
         return 0;
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 
@@ -50,7 +51,7 @@ std::optional<double> physicalLength(const pugi::xml_node& root, const char* att
 
 /// Of user units, in x and y, for a viewport of this size.
 Vector2d fittedScale(const Vector2d& size, const ViewBox& box, const pugi::xml_node& element) {
-    const Vector2d scale = size.cwiseQuotient(box.size);
+    Vector2d scale = size.cwiseQuotient(box.size);
     const std::string_view aspect = element.attribute("preserveAspectRatio").value();
     if (aspect.find("none") != std::string_view::npos) return scale;
     return Vector2d::Constant(aspect.find("slice") == std::string_view::npos ? scale.minCoeff()

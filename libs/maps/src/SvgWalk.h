@@ -43,7 +43,7 @@ class Walk {
     void visit(const pugi::xml_node& element, const State& outer);
     State entered(const pugi::xml_node& element, std::string_view name, const State& outer) const;
     void visitChildren(const pugi::xml_node& element, const State& state);
-    void visitUse(const pugi::xml_node& use, const State& state);
+    void visitUse(const pugi::xml_node& use, const State& outer);
     void draw(const pugi::xml_node& element, std::string_view name, const State& state);
     bool isBackground(size_t firstWall, const Style& style) const;
     uint32_t layerIndex(const std::string& name);
