@@ -14,16 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In memory where there is such a folder; one a process.
+/// In memory where there is such a folder; of this process alone.
 fs::path fileOf(const char* extension) {
-    static const fs::path folder = [] {
-        const fs::path memory = "/dev/shm";
-        const fs::path own = (fs::exists(memory) ? memory : fs::temp_directory_path()) /
-                             ("offmap_drawing_fuzz." + std::to_string(getpid()));
-        fs::create_directories(own);
-        return own;
-    }();
-    return folder / (std::string("map") + extension);
+    static const fs::path memory = "/dev/shm";
+    const fs::path folder = fs::exists(memory) ? memory : fs::temp_directory_path();
+    return folder / ("offmap_drawing_fuzz." + std::to_string(getpid()) + extension);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawingFixture.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace {
@@ -72,6 +73,15 @@ TEST_F(BadDrawing, dxfCutOffAnywhereIsNoHalfMap) {
             EXPECT_LT(size, whole.size() - 5) << "only the end of the file is missing";
         }
     }
+}
+
+TEST_F(BadDrawing, dxfOutOfStepTellsTheLine) {
+    std::string bytes = dxf(wall);
+    const size_t layer = bytes.find("\n8\nW\n");
+    const auto line = std::count(bytes.begin(), bytes.begin() + std::ptrdiff_t(layer), '\n') + 2;
+    bytes.erase(layer, 2);  // the code of the layer's name, which becomes one itself
+    EXPECT_THAT(errorOf("plan.dxf", bytes),
+                HasSubstr("line " + std::to_string(line) + " is 'W', not a group code"));
 }
 
 TEST_F(BadDrawing, shapefileWithoutItsIndexTellsTheFix) {

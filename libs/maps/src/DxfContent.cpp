@@ -3,6 +3,8 @@
 
 #include "PrintableName.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -72,11 +74,22 @@ class Pairs {
  public:
     explicit Pairs(std::string_view text) : text_(text) {}
 
+    /// False at the end of the drawing. \throw std::runtime_error for a code that is no number:
+    /// what follows would be taken for something else
     bool next() {
-        if (place_ >= text_.size()) return false;
+        if (place_ >= text_.size() || isEnd_) return false;
         code = line();
         value = line();
-        return true;
+        isEnd_ = code == "0" && value == "EOF";
+        const bool isCode = !code.empty() && code.find_first_not_of("-0123456789") == code.npos;
+        if (isCode || (code.empty() && place_ >= text_.size())) return true;
+        constexpr size_t first = 2;
+        if (line_ == first) {
+            throw std::runtime_error(
+                "is no DXF by its content; give it the extension of what it is");
+        }
+        throw std::runtime_error(fmt::format("line {} is '{}', not a group code; export it anew",
+                                             line_ - 1, printableName(code, 40)));
     }
 
     std::string_view code, value;
@@ -86,11 +99,13 @@ class Pairs {
         const size_t begin = std::min(place_, text_.size());
         const size_t end = std::min(text_.find('\n', begin), text_.size());
         place_ = end + 1;
+        ++line_;
         return trimmed(text_.substr(begin, end - begin));
     }
 
     std::string_view text_;
-    size_t place_ = 0;
+    size_t place_ = 0, line_ = 0;
+    bool isEnd_ = false;
 };
 
 std::optional<DrawnUnit> unitOf(std::string_view code) {
