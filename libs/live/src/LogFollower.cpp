@@ -29,11 +29,11 @@ bool LogFollower::waitForMore() {
     while (!stop_->stop_requested()) {
         std::error_code error;
         const uintmax_t size = std::filesystem::file_size(log_, error);
-        if (error || size < size_) {
+        const uintmax_t read = reader_ ? reader_->compressedPosition() : 0;
+        if (error || size < read) {
             throw std::runtime_error(log_.string() + " is gone or became shorter");
         }
-        if (size > size_) {
-            size_ = size;
+        if (size > read) {
             lastBytes_ = Steady::now();
             return true;
         }

@@ -45,7 +45,6 @@ class LogFollower : public ScanSource {
     std::deque<rawlog::PlacedTurn> ready_;
     const std::stop_token* stop_ = nullptr;  // of the call of next() that is going on
     SteadyTime lastBytes_;
-    uintmax_t size_ = 0;  // [byte] of the file, when it was last looked at
 
     mutable std::mutex mutex_;
     SourceHealth health_;
