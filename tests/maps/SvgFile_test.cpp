@@ -51,7 +51,7 @@ TEST(SvgFile, unreadableOneIsNamed) {
     writeFile(folder / "broken.svgz", offmap::test::gzipped(test::inSvg("<g/>")).substr(0, 40));
     EXPECT_THAT(errorOfFile(folder / "none.svg"), HasSubstr("none.svg: cannot be read"));
     std::filesystem::create_directory(folder / "folder.svg");
-    EXPECT_THAT(errorOfFile(folder / "folder.svg"), HasSubstr("folder.svg: cannot be read"));
+    EXPECT_THAT(errorOfFile(folder / "folder.svg"), HasSubstr("folder.svg: is a folder"));
     EXPECT_THAT(errorOfFile(folder / "empty.svg"), HasSubstr("empty.svg: the file is empty"));
     EXPECT_THAT(errorOfFile(folder / "broken.svgz"), HasSubstr("broken.svgz"));
 }

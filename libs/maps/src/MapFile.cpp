@@ -1,80 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MapFamilies.h"
+
 #include <offmap/core/WallGeometry.h>
-#include <offmap/maps/GridFile.h>
 #include <offmap/maps/LayerChoice.h>
 #include <offmap/maps/LineCleaning.h>
 #include <offmap/maps/MapFile.h>
-#include <offmap/maps/MapPicture.h>
-#include <offmap/maps/RosMap.h>
-#include <offmap/maps/SimpleMapFile.h>
-#include <offmap/maps/SvgMap.h>
-#include <offmap/maps/TextMap.h>
-#include <offmap/maps/VectorDrawing.h>
 #include <offmap/maps/WallPlacement.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <string_view>
 
 namespace offmap::maps {
 
 namespace {
-
-using Reader = std::function<Drawing(const std::filesystem::path&, const MapOptions&)>;
-
-/// A family of map files.
-struct Family {
-    std::vector<std::string_view> extensions;  ///< lower case
-    Reader read;
-};
-
-Drawing readText(const std::filesystem::path& file, const MapOptions& options) {
-    Drawing drawing;
-    drawing.format = "text";
-    const uint32_t layer = drawing.layer("");
-    for (const core::Wall& wall : readTextMap(file, options.sigma)) drawing.add(wall, layer);
-    return drawing;
-}
-
-Drawing refuseDwg(const std::filesystem::path& file, const MapOptions&) {
-    throw std::runtime_error(file.string() + ": DWG is not read; save the drawing as ASCII DXF");
-}
-
-const std::vector<Family>& families() {
-    static const std::vector<Family> all{
-        {{".lines", ".txt"}, readText},
-        {vectorExtensions(), readVectorDrawing},
-        {{".svg", ".svgz"}, readSvgMap},
-        {{".dwg"}, refuseDwg},
-        {{".gridmap", ".gridmap.gz"}, readGridMapDrawing},
-        {{".simplemap", ".simplemap.gz"}, readSimpleMap},
-        {{".yaml", ".yml"}, readRosMap},
-        {pictureExtensions(), readMapPicture},
-    };
-    return all;
-}
-
-std::string lowerCase(std::string text) {
-    for (char& c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
-}
-
-/// By the longest extension that fits: "x.gridmap.gz" is no ".gz".
-Reader readerOf(const std::filesystem::path& file) {
-    const std::string name = lowerCase(file.filename().string());
-    for (const Family& family : families()) {
-        for (const std::string_view extension : family.extensions) {
-            if (name.size() > extension.size() && name.ends_with(extension)) return family.read;
-        }
-    }
-    return readText;
-}
 
 core::Wall ruled(core::Wall wall, const LayerRule* rule) {
     if (rule == nullptr) return wall;
@@ -166,7 +108,8 @@ MapOfFile mapOf(Drawing drawing, const MapOptions& options, const std::string& n
     takeWalls(drawing, options, map);
     map.walls = placed(std::move(map.walls), options.origin, options.scale);
     if (map.walls.empty()) {
-        throw std::runtime_error(fmt::format("{}: the map holds no wall", name));
+        throw std::runtime_error(fmt::format(
+            "{}: the map holds no wall: there is no line in it that could be one", name));
     }
     requireFinite(map.walls, name);
     if (drawing.isDrawnByHand) clean(map, options.minLength, name);
@@ -175,7 +118,22 @@ MapOfFile mapOf(Drawing drawing, const MapOptions& options, const std::string& n
 }
 
 MapOfFile readMap(const std::filesystem::path& file, const MapOptions& options) {
-    return mapOf(readerOf(file)(file, options), options, file.string());
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) {
+        throw std::runtime_error(file.string() + ": is a folder; name a map file in it");
+    }
+    const MapFamily& family = familyOf(file);
+    try {
+        Drawing drawing = family.read(file, options);
+        for (const std::string& warning : warningsOfUnused(family, options)) {
+            drawing.warnings.push_back(warning);
+        }
+        return mapOf(std::move(drawing), options, file.string());
+    } catch (const std::runtime_error& error) {
+        if (isKnownExtension(file) || !std::filesystem::exists(file, ignored)) throw;
+        throw std::runtime_error(fmt::format("{}; or is it no text map? Others are known by {}",
+                                             error.what(), knownExtensions()));
+    }
 }
 
 }  // namespace offmap::maps

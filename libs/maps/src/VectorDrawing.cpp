@@ -111,7 +111,7 @@ Drawing drawingOf(DrawnLines lines, const VectorFormat& format, const MapOptions
     }
     judgeExtent(extentOf(lines.points), isProjected, options.scale, drawing);
     if (!drawing.walls.empty()) return drawing;
-    std::string why = "the map holds no wall";
+    std::string why = "the map holds no wall: no line, polygon or arc of it could be one";
     if (!lines.leftOut.empty()) why += "; left out: " + leftOut(lines);
     for (const std::string& warning : drawing.warnings) why += "; " + warning;
     throw std::runtime_error(why);
