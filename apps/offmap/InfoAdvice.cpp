@@ -139,8 +139,9 @@ Advice adviceFor(const LogFacts& facts, const InfoOptions& options, const rawlog
     for (const auto& [label, sensor] : scanners) adviseSensor(label, *sensor, advice);
     if (options.shared.map.empty()) {
         advice.missing.push_back(
-            {"a map of the walls, in the frame of the poses: a text file, one wall a line, x1 y1 "
-             "x2 y2 in metres",
+            {"a map of the walls, in the frame of the poses: a drawing, an occupancy grid, or a "
+             "text "
+             "file, one wall a line, x1 y1 x2 y2 in metres",
              {"--map", "MAP"}});
     }
     advisePoses(facts, config, advice);

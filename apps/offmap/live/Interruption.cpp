@@ -17,15 +17,15 @@ Interruption::Interruption() {
     arrived = false;
     struct sigaction remember {};
     remember.sa_handler = [](int) { arrived = true; };
-    for (size_t i = 0; i < signals_.size(); ++i) {
-        sigaction(signals_[i], nullptr, &before_[i]);
+    for (size_t i = 0; i < watched.size(); ++i) {
+        sigaction(watched[i], nullptr, &before_[i]);
         // What the program was told to ignore (nohup) stays ignored.
-        if (before_[i].sa_handler != SIG_IGN) sigaction(signals_[i], &remember, nullptr);
+        if (before_[i].sa_handler != SIG_IGN) sigaction(watched[i], &remember, nullptr);
     }
 }
 
 Interruption::~Interruption() {
-    for (size_t i = 0; i < signals_.size(); ++i) sigaction(signals_[i], &before_[i], nullptr);
+    for (size_t i = 0; i < watched.size(); ++i) sigaction(watched[i], &before_[i], nullptr);
 }
 
 bool Interruption::came() const { return arrived; }

@@ -18,7 +18,7 @@ class Interruption {
     bool came() const;
 
  private:
-    static constexpr std::array<int, 3> signals_{SIGINT, SIGTERM, SIGHUP};
+    static constexpr std::array<int, 3> watched{SIGINT, SIGTERM, SIGHUP};
     std::array<struct sigaction, 3> before_{};
 };
 
