@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedOptions.h"
 
-#include "SensorPoses.h"
 #include "UsageError.h"
-
-#include <offmap/rawlog/ConfigFile.h>
 
 namespace offmap::app {
 
@@ -18,28 +15,12 @@ void SharedOptions::addTo(CLI::App& command) {
         .add_option("--method", method,
                     "Matching method: aligned, probabilistic or paper (matching.method)")
         ->type_name("METHOD");
-    config.addTo(command);
-    poses.addTo(command);
-    command
-        .add_option("--sensor-pose", sensorPoses,
-                    "Where a sensor is mounted, instead of where the log says; may be repeated")
-        ->type_name("LABEL=X,Y,Z,YAW_DEG,PITCH_DEG,ROLL_DEG")
-        ->allow_extra_args(false);
+    LogOptions::addTo(command);
 }
 
 rawlog::Config SharedOptions::readConfig() const {
-    rawlog::Config out;
-    try {
-        config.applyTo(out);
-        if (!method.empty()) rawlog::applySetting(out, "matching.method=" + method);
-        poses.setSigmas(out);
-        out.mountings = parseSensorPoses(sensorPoses);
-        out.validate();
-    } catch (const std::exception& error) {
-        throw UsageError(error.what());
-    }
-    poses.request();  // what is wrong with it is told now, not after a log has been read
-    return out;
+    if (method.empty()) return LogOptions::readConfig();
+    return LogOptions::readConfig({"matching.method=" + method});
 }
 
 LoadedMap SharedOptions::readMap(const rawlog::Config& configuration) const {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ConfigOptions.h"
 #include "LoadedMap.h"
+#include "LogOptions.h"
 #include "MapFileOptions.h"
-#include "PoseOptions.h"
 
 #include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/LogSurvey.h>
@@ -19,13 +18,10 @@
 namespace offmap::app {
 
 /// What every subcommand that reduces scans asks for: map, configuration and poses.
-struct SharedOptions {
+struct SharedOptions : LogOptions {
     std::filesystem::path map;
     MapFileOptions mapFile;
     std::string method;
-    ConfigOptions config;
-    PoseOptions poses;
-    std::vector<std::string> sensorPoses;  ///< "LABEL=x,y,z,yaw_deg,pitch_deg,roll_deg"
 
     void addTo(CLI::App& command);
 

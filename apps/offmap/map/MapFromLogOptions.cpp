@@ -2,13 +2,11 @@
 #include "MapFromLogOptions.h"
 
 #include "../NumberList.h"
-#include "../SensorPoses.h"
 #include "../UsageError.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace offmap::app {
 
@@ -30,13 +28,7 @@ void MapFromLogOptions::addTo(CLI::App& command) {
                     "Scans that must show a wall (1; 3 where there are at least 10)")
         ->check(CLI::Range(1, 1'000'000).description(""))
         ->type_name("N");
-    config.addTo(command);
-    poses.addTo(command);
-    command
-        .add_option("--sensor-pose", sensorPoses,
-                    "Where a sensor is mounted, instead of where the log says; may be repeated")
-        ->type_name("LABEL=X,Y,Z,YAW_DEG,PITCH_DEG,ROLL_DEG")
-        ->allow_extra_args(false);
+    LogOptions::addTo(command);
     command.add_flag("--force", force, "Replace an existing MAP");
 }
 
@@ -44,17 +36,7 @@ rawlog::Config MapFromLogOptions::readConfig() const {
     if (!(minLength >= 0) || !std::isfinite(minLength)) {
         throw UsageError(fmt::format("--min-length is {}, but no length is", minLength));
     }
-    rawlog::Config out;
-    try {
-        config.applyTo(out);
-        poses.setSigmas(out);
-        out.mountings = parseSensorPoses(sensorPoses);
-        out.validate();
-    } catch (const std::exception& error) {
-        throw UsageError(error.what());
-    }
-    poses.request();  // what is wrong with it is told now, not after a log has been read
-    return out;
+    return LogOptions::readConfig();
 }
 
 }  // namespace offmap::app

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../ConfigOptions.h"
-#include "../PoseOptions.h"
+#include "../LogOptions.h"
 
 #include <offmap/rawlog/Config.h>
 
@@ -17,14 +16,11 @@
 namespace offmap::app {
 
 /// The command line of `offmap map from-log`.
-struct MapFromLogOptions {
+struct MapFromLogOptions : LogOptions {
     std::vector<std::filesystem::path> logs;
     std::filesystem::path output;
-    ConfigOptions config;
-    PoseOptions poses;
-    std::vector<std::string> sensorPoses;  ///< as in SharedOptions
-    double minLength = 0.5;                ///< [m]
-    std::optional<uint32_t> minScans;      ///< none: by the number of scans
+    double minLength = 0.5;            ///< [m]
+    std::optional<uint32_t> minScans;  ///< none: by the number of scans
     bool force = false;
 
     void addTo(CLI::App& command);
