@@ -97,7 +97,8 @@ TEST_F(BadCommandLine, poseAndLabelExcludeEachOther) {
 TEST(CommandLine, helpNamesEveryOption) {
     const RunResult all = runOffmap({"--help"});
     EXPECT_EQ(all.exitCode, 0);
-    EXPECT_THAT(all.out, AllOf(HasSubstr("reduce"), HasSubstr("render"), HasSubstr("live"), HasSubstr("--version")));
+    EXPECT_THAT(all.out, AllOf(HasSubstr("reduce"), HasSubstr("render"), HasSubstr("live"),
+                               HasSubstr("--version")));
     const RunResult reduce = runOffmap({"reduce", "--help"});
     EXPECT_EQ(reduce.exitCode, 0);
     EXPECT_EQ(reduce.err, "");

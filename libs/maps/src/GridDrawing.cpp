@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <offmap/maps/Specks.h>
-
 #include <offmap/maps/GridDrawing.h>
 #include <offmap/maps/GridLines.h>
+#include <offmap/maps/Specks.h>
 
 #include <fmt/format.h>
 

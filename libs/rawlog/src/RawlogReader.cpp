@@ -49,8 +49,7 @@ bool belongsInRawlog(const mrpt::serialization::CSerializable* object) {
 
 }  // namespace
 
-RawlogReader::RawlogReader(const std::filesystem::path& file,
-                           InputFile::WaitForMore waitForMore)
+RawlogReader::RawlogReader(const std::filesystem::path& file, InputFile::WaitForMore waitForMore)
     : file_(file),
       input_(opened(file, std::move(waitForMore))),
       stream_(input_),

@@ -17,8 +17,8 @@ enum class ThinWall : uint8_t {
 
 /// Straight lines along the faces of occupied cells that can be seen: those with a free cell before
 /// them, or behind at most two that are unknown. Each line is within half a cell of the middles of
-/// the faces it stands for, and within a cell of any occupied cell that can be seen there is a line.
-/// In cells, from the grid's lower left corner.
+/// the faces it stands for, and within a cell of any occupied cell that can be seen there is a
+/// line. In cells, from the grid's lower left corner.
 std::vector<mrpt::math::TSegment2D> gridLines(const OccupancyGrid& grid, ThinWall thin);
 
 /// All faces of occupied cells, merged along rows and columns: a ray from a free cell ends on one
