@@ -8,6 +8,7 @@
 #include <offmap/core/WallGeometry.h>
 #include <offmap/maps/DrawingFile.h>
 #include <offmap/maps/GridWriter.h>
+#include <offmap/maps/LowerCase.h>
 #include <offmap/maps/RosMapWriter.h>
 #include <offmap/maps/SvgMapWriter.h>
 #include <offmap/maps/TextMapWriter.h>
@@ -96,14 +97,6 @@ const std::vector<MapWriter>& writers() {
     return all;
 }
 
-std::string lowerCaseName(const fs::path& file) {
-    std::string name = file.filename().string();
-    for (char& c : name) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return name;
-}
-
 bool isBounded(const core::Wall& wall) {
     return std::isfinite(wall.height.min()) || std::isfinite(wall.height.max());
 }
@@ -111,7 +104,7 @@ bool isBounded(const core::Wall& wall) {
 }  // namespace
 
 const MapWriter& mapWriterOf(const fs::path& output) {
-    const std::string name = lowerCaseName(output);
+    const std::string name = maps::lowerCase(output.filename().string());
     std::vector<std::string_view> known;
     for (const MapWriter& writer : writers()) {
         for (const std::string_view extension : writer.extensions) {

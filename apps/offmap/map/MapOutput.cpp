@@ -7,6 +7,8 @@
 #include "../NumberList.h"
 #include "../UsageError.h"
 
+#include <offmap/maps/LowerCase.h>
+
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -18,13 +20,7 @@ void MapOutput::addTo(CLI::App& command, const char* what, const char* typeName)
     command.add_flag("--force", force, "Replace an existing file");
 }
 
-std::string MapOutput::extension() const {
-    std::string text = file.extension().string();
-    for (char& c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
-}
+std::string MapOutput::extension() const { return maps::lowerCase(file.extension().string()); }
 
 int writeFromMap(const MapSource& source, const MapOutput& output,
                  const std::function<void(const maps::MapOfFile&, rawlog::OutputOptions)>& work) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/maps/LayerChoice.h>
+#include <offmap/maps/LowerCase.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +11,6 @@
 namespace offmap::maps {
 
 namespace {
-
-char lower(char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
 
 bool fitsAny(std::string_view name, const std::vector<std::string>& patterns) {
     return std::ranges::any_of(patterns,
@@ -48,7 +45,7 @@ bool fitsPattern(std::string_view name, std::string_view pattern) {
             star = p++;
             starAt = n;
         } else if (p < pattern.size() &&
-                   (pattern[p] == '?' || lower(pattern[p]) == lower(name[n]))) {
+                   (pattern[p] == '?' || lowerCase(pattern[p]) == lowerCase(name[n]))) {
             ++p;
             ++n;
         } else if (star != std::string_view::npos) {

@@ -2,6 +2,7 @@
 #include "MapFamilies.h"
 
 #include <offmap/maps/GridFile.h>
+#include <offmap/maps/LowerCase.h>
 #include <offmap/maps/MapPicture.h>
 #include <offmap/maps/RosMap.h>
 #include <offmap/maps/SimpleMapFile.h>
@@ -48,13 +49,6 @@ const std::vector<MapFamily>& families() {
         {"pictures", pictureExtensions(), readMapPicture, {.resolution = true, .gridWalls = true}},
     };
     return all;
-}
-
-std::string lowerCase(std::string text) {
-    for (char& c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
 }
 
 /// Null if no extension fits.

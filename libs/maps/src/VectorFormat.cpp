@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VectorFormat.h"
 
+#include <offmap/maps/LowerCase.h>
+
 #include <ogrsf_frmts.h>
 #include <stdexcept>
 
@@ -27,10 +29,7 @@ const std::vector<VectorFormat>& vectorFormats() {
 }
 
 const VectorFormat& vectorFormatOf(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
+    const std::string extension = lowerCase(file.extension().string());
     for (const VectorFormat& format : vectorFormats()) {
         for (const std::string_view known : format.extensions) {
             if (extension == known) return format;
