@@ -6,19 +6,17 @@
 
 #include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/ScanClasses.h>
-#include <offmap/rawlog/TurnCollector.h>
+#include <offmap/rawlog/TurnSearch.h>
 
 #include <fmt/format.h>
-#include <mrpt/obs/CObservation2DRangeScan.h>
 
 #include <limits>
-#include <map>
 #include <stdexcept>
+#include <vector>
 
 namespace offmap::app {
 
 using mrpt::obs::CObservation;
-using rawlog::Turn;
 
 VisitedLog lookAt(const std::filesystem::path& log, const PoseOptions& poses,
                   const rawlog::Config& config, rawlog::GuardedStatus& status) {
@@ -43,61 +41,32 @@ VisitedLog lookAt(const std::filesystem::path& log, const PoseOptions& poses,
     return visited;
 }
 
-namespace {
-
-/// Gathers observations into turns.
-class Turns {
- public:
-    Turns(const VisitedLog& log, const rawlog::Config& config,
-          std::function<void(const Turn&, const rawlog::ScanClass&)> visit)
-        : log_(log), config_(config), visit_(std::move(visit)) {}
-
-    void add(const CObservation::Ptr& obs) {
-        const rawlog::SensorConfig own = config_.sensorOf(obs->sensorLabel);
-        if (!log_.survey.reducible(*obs, own)) return;
-        const rawlog::ScanClass* scanClass = rawlog::scanClassOf(*obs, own);
-        scanClass->loadExternal(*obs, log_.file);
-        const auto* sweep = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(obs.get());
-        if (!sweep) return visit_({obs}, *scanClass);
-        auto& open = open_.try_emplace(obs->sensorLabel, own).first->second;
-        for (const Turn& turn : open.add(*sweep, obs)) visit_(turn, *scanClass);
-    }
-
-    void finish() {
-        for (auto& [label, open] : open_) {
-            for (const Turn& turn : open.finish()) {
-                visit_(turn, *rawlog::scanClassOf(*turn.front(), config_.sensorOf(label)));
-            }
-        }
-    }
-
- private:
-    const VisitedLog& log_;
-    const rawlog::Config& config_;
-    std::function<void(const Turn&, const rawlog::ScanClass&)> visit_;
-    std::map<std::string, rawlog::TurnCollector<CObservation::ConstPtr>> open_;  // by label
-};
-
-}  // namespace
-
 void visitTurns(
     const VisitedLog& log, const core::LineMap& map, const rawlog::Config& config,
     rawlog::GuardedStatus& status,
     const std::function<void(const rawlog::ReducedTurn&, const core::ReductionResult&)>& visit) {
     rawlog::TurnReducer reducer(map, *log.poses.source, config, rawlog::OutputClass::Same);
-    Turns turns(log, config, [&](const Turn& turn, const rawlog::ScanClass& scanClass) {
-        const rawlog::ReducedTurn reduced = reducer.reduce(turn, scanClass);
-        visit(reduced, reducer.result());
-    });
+    rawlog::TurnAssembler assembler(config, log.file);
+    rawlog::expectSweepsOf(log.survey, assembler);
+    const auto reduceAll = [&](const std::vector<rawlog::PlacedTurn>& turns) {
+        for (const auto& [turn, first, last] : turns) {
+            const CObservation& obs = *turn.front();
+            const auto* scanClass = rawlog::scanClassOf(obs, config.sensorOf(obs.sensorLabel));
+            const rawlog::ReducedTurn reduced = reducer.reduce(turn, *scanClass);
+            visit(reduced, reducer.result());
+        }
+    };
     rawlog::RawlogReader reader(log.file);
     for (uint64_t index = 0; index < log.survey.entries; ++index) {
         status.atEntry(reader.place());
         const auto entry = reader.next();
         if (!entry) throw std::runtime_error(log.file.string() + " became shorter while read");
-        rawlog::forEachObservation(entry->object,
-                                   [&](const CObservation::Ptr& obs, size_t) { turns.add(obs); });
+        rawlog::forEachObservation(entry->object, [&](const CObservation::Ptr& obs, size_t) {
+            if (log.survey.reducible(*obs, config.sensorOf(obs->sensorLabel)))
+                reduceAll(assembler.add(obs, index));
+        });
     }
-    turns.finish();
+    reduceAll(assembler.finish());
 }
 
 }  // namespace offmap::app
