@@ -4,6 +4,7 @@
 #include "MapSmells.h"
 
 #include <offmap/core/WallGeometry.h>
+#include <offmap/maps/MapBounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,13 +38,11 @@ MapFacts factsOf(maps::MapOfFile map, const std::filesystem::path& file) {
     facts.file = file;
     facts.map = std::move(map);
     const std::vector<core::Wall>& walls = facts.map.walls;
-    facts.low = core::boundsOf(walls.front()).low;
-    facts.high = core::boundsOf(walls.front()).high;
+    const core::WallBounds bounds = maps::boundsOfAll(walls);
+    facts.low = bounds.low;
+    facts.high = bounds.high;
     std::vector<double> lengths;
     for (const core::Wall& wall : walls) {
-        const core::WallBounds bounds = core::boundsOf(wall);
-        facts.low = {std::min(facts.low.x, bounds.low.x), std::min(facts.low.y, bounds.low.y)};
-        facts.high = {std::max(facts.high.x, bounds.high.x), std::max(facts.high.y, bounds.high.y)};
         ++(wall.curvature == 0 ? facts.straight : facts.arcs);
         lengths.push_back(core::lengthOf(wall));
         addHeights(wall, facts);

@@ -5,6 +5,7 @@
 #include "../TextSections.h"
 
 #include <offmap/core/WallGeometry.h>
+#include <offmap/maps/MapBounds.h>
 #include <offmap/rawlog/GroupedDigits.h>
 
 #include <fmt/format.h>
@@ -51,14 +52,9 @@ std::string sigmaText(const std::vector<core::Wall>& walls) {
 /// Whether the bands of sigma show beside lines of that width [px of a figure of 1600].
 bool showsBands(const std::vector<core::Wall>& walls, double width) {
     double sigma = 0;
-    mrpt::math::TPoint2D least = core::boundsOf(walls.front()).low, most = least;
-    for (const core::Wall& wall : walls) {
-        const core::WallBounds bounds = core::boundsOf(wall);
-        least = {std::min(least.x, bounds.low.x), std::min(least.y, bounds.low.y)};
-        most = {std::max(most.x, bounds.high.x), std::max(most.y, bounds.high.y)};
-        sigma = std::max(sigma, wall.sigma);
-    }
-    const double size = std::max(most.x - least.x, most.y - least.y);
+    for (const core::Wall& wall : walls) sigma = std::max(sigma, wall.sigma);
+    const auto [low, high] = maps::boundsOfAll(walls);
+    const double size = std::max(high.x - low.x, high.y - low.y);
     return 2 * sigma * 1600 > (width + 3) * size;
 }
 

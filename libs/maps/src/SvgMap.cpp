@@ -2,6 +2,7 @@
 #include "SvgWalk.h"
 
 #include <offmap/core/WallGeometry.h>
+#include <offmap/maps/MapBounds.h>
 #include <offmap/maps/SvgMap.h>
 
 #include <fmt/format.h>
@@ -43,12 +44,7 @@ pugi::xml_node rootOf(const pugi::xml_document& document, std::string_view name)
 /// A plan may be drawn as large as its paper.
 void warnOfPaper(const MapOptions& options, Drawing& drawing) {
     if (options.units || options.scale != 1 || drawing.walls.empty()) return;
-    core::WallBounds all = core::boundsOf(drawing.walls[0]);
-    for (const core::Wall& wall : drawing.walls) {
-        const core::WallBounds one = core::boundsOf(wall);
-        all.low = {std::min(all.low.x, one.low.x), std::min(all.low.y, one.low.y)};
-        all.high = {std::max(all.high.x, one.high.x), std::max(all.high.y, one.high.y)};
-    }
+    const core::WallBounds all = boundsOfAll(drawing.walls);
     const double width = all.high.x - all.low.x, height = all.high.y - all.low.y;
     constexpr double smallestRoom = 2;  // [m]
     if (std::max(width, height) >= smallestRoom) return;

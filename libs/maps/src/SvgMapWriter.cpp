@@ -2,6 +2,7 @@
 #include "SvgAttributes.h"
 
 #include <offmap/core/WallGeometry.h>
+#include <offmap/maps/MapBounds.h>
 #include <offmap/maps/SvgMapWriter.h>
 
 #include <fmt/format.h>
@@ -23,12 +24,7 @@ using mrpt::math::TPoint2D;
 /// The sheet, in the map's axes: its lower left and upper right corner.
 core::WallBounds sheetFor(std::span<const core::Wall> walls) {
     if (walls.empty()) return {{0, 0}, {1, 1}};
-    core::WallBounds all = core::boundsOf(walls[0]);
-    for (const core::Wall& wall : walls) {
-        const core::WallBounds one = core::boundsOf(wall);
-        all.low = {std::min(all.low.x, one.low.x), std::min(all.low.y, one.low.y)};
-        all.high = {std::max(all.high.x, one.high.x), std::max(all.high.y, one.high.y)};
-    }
+    const core::WallBounds all = boundsOfAll(walls);
     // a margin, to decimetres, so that coordinates keep their digits
     const auto below = [](double value) { return (std::floor(10 * value) - 1) / 10; };
     const auto above = [](double value) { return (std::ceil(10 * value) + 1) / 10; };
