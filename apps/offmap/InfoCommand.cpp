@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoCommand.h"
 
-#include "Console.h"
-#include "Guarded.h"
 #include "InfoJson.h"
 #include "InfoText.h"
-#include "UsageError.h"
+#include "input/Console.h"
+#include "input/Guarded.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/EntryPlace.h>
 #include <offmap/rawlog/GuardedRun.h>

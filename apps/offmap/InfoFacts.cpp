@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoFacts.h"
 
-#include "Progress.h"
 #include "SensorLabels.h"
+#include "input/Progress.h"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoPoses.h"
 
-#include "UsageError.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/IntervalMedian.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceBatch.h"
 
-#include "Console.h"
 #include "ReduceGuarded.h"
 #include "SummaryText.h"
-#include "UsageError.h"
+#include "input/Console.h"
+#include "input/UsageError.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceCommand.h"
 
-#include "Console.h"
-#include "Guarded.h"
 #include "ReduceBatch.h"
 #include "ReduceGuarded.h"
 #include "SummaryText.h"
-#include "UsageError.h"
+#include "input/Console.h"
+#include "input/Guarded.h"
+#include "input/UsageError.h"
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceFiles.h"
 
-#include "NamedFiles.h"
-#include "UsageError.h"
+#include "input/NamedFiles.h"
+#include "input/UsageError.h"
 
 #include <fmt/format.h>
 

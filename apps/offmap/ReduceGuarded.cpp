@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceGuarded.h"
 
-#include "Handover.h"
-#include "Progress.h"
-#include "UsageError.h"
+#include "input/Handover.h"
+#include "input/Progress.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/EntryPlace.h>
 #include <offmap/rawlog/ReportFile.h>

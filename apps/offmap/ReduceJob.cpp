@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceJob.h"
 
-#include "Console.h"
-#include "Progress.h"
 #include "ReduceOutputs.h"
 #include "SensorLabels.h"
-#include "SensorPoses.h"
 #include "SummaryText.h"
-#include "UsageError.h"
+#include "input/Console.h"
+#include "input/Progress.h"
+#include "input/SensorPoses.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/GroupedDigits.h>
 #include <offmap/rawlog/LayerSettings.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "SharedOptions.h"
+#include "input/SharedOptions.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderCommand.h"
 
-#include "Console.h"
-#include "Guarded.h"
-#include "NamedFiles.h"
 #include "SensorLabels.h"
-#include "SharedOptions.h"
-#include "UsageError.h"
+#include "input/Console.h"
+#include "input/Guarded.h"
+#include "input/NamedFiles.h"
+#include "input/SharedOptions.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/EntryPlace.h>
 #include <offmap/rawlog/GuardedRun.h>

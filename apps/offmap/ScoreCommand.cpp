@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScoreCommand.h"
 
-#include "Console.h"
-#include "Guarded.h"
 #include "LogScore.h"
-#include "NamedFiles.h"
-#include "NumberList.h"
-#include "Presets.h"
 #include "ScoreText.h"
 #include "TextSections.h"
-#include "UsageError.h"
+#include "input/Console.h"
+#include "input/Guarded.h"
+#include "input/NamedFiles.h"
+#include "input/NumberList.h"
+#include "input/Presets.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/ConfigFile.h>
 #include <offmap/rawlog/EntryPlace.h>

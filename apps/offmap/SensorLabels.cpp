@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SensorLabels.h"
 
-#include "UsageError.h"
+#include "input/UsageError.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveCommand.h"
 
-#include "../Console.h"
-#include "../Guarded.h"
-#include "../NamedFiles.h"
 #include "../SummaryText.h"
-#include "../UsageError.h"
 #include "Interruption.h"
-#include "LiveInput.h"
+#include "LiveCommandOptions.h"
 #include "LiveRecorder.h"
 #include "LiveText.h"
+#include "input/Console.h"
+#include "input/Guarded.h"
+#include "input/LiveInput.h"
+#include "input/NamedFiles.h"
+#include "input/UsageError.h"
 
 #include <offmap/live/LiveReduction.h>
 #include <offmap/rawlog/RegisterClasses.h>
@@ -65,13 +66,13 @@ void waitForEnd(const LiveCommandOptions& options, const live::LiveReduction& re
 
 int run(const LiveCommandOptions& options) {
     const rawlog::Config config = options.shared.readConfig();
-    options.speedFactor();  // what is wrong with it is told now
+    options.from.speedFactor();  // what is wrong with it is told now
     requireDistinct({{"--record", options.record}},
-                    {{"SOURCE", options.source}, {"--map", options.shared.map}});
+                    {{"SOURCE", options.from.source}, {"--map", options.shared.map}});
     LoadedMap map = options.shared.readMap(config);
     for (const std::string& warning : map.warnings) say(stderr, "warning: {}\n", warning);
     rawlog::registerMrptClasses();
-    LiveInput input = openLiveInput(options, config);
+    LiveInput input = openLiveInput({options.from, options.shared}, config);
     std::unique_ptr<LiveRecorder> recorder;
     if (!options.record.empty()) {
         recorder = std::make_unique<LiveRecorder>(options.record, options.force);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GuardedLogs.h"
 
-#include "../Console.h"
-#include "../Guarded.h"
-#include "../Handover.h"
-#include "../UsageError.h"
+#include "input/Console.h"
+#include "input/Guarded.h"
+#include "input/Handover.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/EntryPlace.h>
 

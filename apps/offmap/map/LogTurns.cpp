@@ -2,7 +2,7 @@
 #include "LogTurns.h"
 
 #include "../SensorLabels.h"
-#include "../UsageError.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/ScanClasses.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../PoseOptions.h"
+#include "input/PoseOptions.h"
 
 #include <offmap/core/LineMap.h>
 #include <offmap/rawlog/Config.h>

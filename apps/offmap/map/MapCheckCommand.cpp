@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapCheckCommand.h"
 
-#include "../Console.h"
-#include "../GuardedMap.h"
-#include "../LoadedMap.h"
 #include "../TextSections.h"
-#include "../UsageError.h"
 #include "GuardedLogs.h"
 #include "LogTurns.h"
 #include "MapCheckOptions.h"
 #include "MapCheckResult.h"
+#include "input/Console.h"
+#include "input/GuardedMap.h"
+#include "input/LoadedMap.h"
+#include "input/UsageError.h"
 
 #include <offmap/rawlog/OutputFile.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapCheckOptions.h"
 
-#include "../NamedFiles.h"
-#include "../NumberList.h"
-#include "../UsageError.h"
+#include "input/NamedFiles.h"
+#include "input/NumberList.h"
+#include "input/UsageError.h"
 
 #include <fmt/format.h>
 

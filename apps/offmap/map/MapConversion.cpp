@@ -3,7 +3,7 @@
 
 #include "../PlainText.h"
 #include "../TextSections.h"
-#include "../UsageError.h"
+#include "input/UsageError.h"
 
 #include <offmap/core/WallGeometry.h>
 #include <offmap/maps/DrawingFile.h>

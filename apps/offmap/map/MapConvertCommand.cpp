@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapConvertCommand.h"
 
-#include "../Console.h"
-#include "../LoadedMap.h"
 #include "../TextSections.h"
-#include "../UsageError.h"
 #include "MapConversion.h"
 #include "MapOutput.h"
+#include "input/Console.h"
+#include "input/LoadedMap.h"
+#include "input/UsageError.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapDrawCommand.h"
 
-#include "../Console.h"
-#include "../UsageError.h"
 #include "MapFigure.h"
 #include "MapOutput.h"
+#include "input/Console.h"
+#include "input/UsageError.h"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapFromLogCommand.h"
 
-#include "../Console.h"
-#include "../NamedFiles.h"
 #include "../TextSections.h"
-#include "../UsageError.h"
 #include "GuardedLogs.h"
 #include "LogTurns.h"
 #include "MapConversion.h"
 #include "MapFromLogOptions.h"
+#include "input/Console.h"
+#include "input/NamedFiles.h"
+#include "input/UsageError.h"
 
 #include <offmap/core/WallGeometry.h>
 #include <offmap/evaluation/WallTracer.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapFromLogOptions.h"
 
-#include "../NumberList.h"
-#include "../UsageError.h"
+#include "input/NumberList.h"
+#include "input/UsageError.h"
 
 #include <fmt/format.h>
 

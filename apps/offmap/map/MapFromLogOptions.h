@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../LogOptions.h"
+#include "input/LogOptions.h"
 
 #include <offmap/rawlog/Config.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapInfoCommand.h"
 
-#include "../Console.h"
-#include "../UsageError.h"
 #include "MapFacts.h"
 #include "MapSource.h"
+#include "input/Console.h"
+#include "input/UsageError.h"
 
 #include <memory>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapOutput.h"
 
-#include "../Console.h"
-#include "../Guarded.h"
-#include "../NamedFiles.h"
-#include "../NumberList.h"
-#include "../UsageError.h"
+#include "input/Console.h"
+#include "input/Guarded.h"
+#include "input/NamedFiles.h"
+#include "input/NumberList.h"
+#include "input/UsageError.h"
 
 #include <offmap/maps/LowerCase.h>
 

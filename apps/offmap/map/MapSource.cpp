@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapSource.h"
 
-#include "../GuardedMap.h"
-#include "../UsageError.h"
+#include "input/GuardedMap.h"
+#include "input/UsageError.h"
 
 namespace offmap::app {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../ConfigOptions.h"
-#include "../MapFileOptions.h"
+#include "input/ConfigOptions.h"
+#include "input/MapFileOptions.h"
 
 #include <offmap/maps/MapFile.h>
 

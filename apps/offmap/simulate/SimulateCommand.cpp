@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulateCommand.h"
 
-#include "../Console.h"
-#include "../Guarded.h"
-#include "../Progress.h"
-#include "../UsageError.h"
 #include "SimulateSummary.h"
+#include "input/Console.h"
+#include "input/Guarded.h"
+#include "input/Progress.h"
+#include "input/UsageError.h"
 
 #include <fmt/format.h>
 #include <mrpt/obs/CObservationComment.h>

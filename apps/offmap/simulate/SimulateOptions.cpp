@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulateOptions.h"
 
-#include "../NumberList.h"
+#include "input/NumberList.h"
 
 #include <offmap/evaluation/NamedScenes.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulationPlan.h"
 
-#include "../NumberList.h"
-#include "../UsageError.h"
+#include "input/NumberList.h"
+#include "input/UsageError.h"
 
 #include <offmap/evaluation/Disturbances.h>
 #include <offmap/evaluation/Drive.h>

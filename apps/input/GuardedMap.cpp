@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GuardedMap.h"
 
-#include "Guarded.h"
-#include "Handover.h"
+#include "BytesFromChild.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <cstring>
 #include <span>
-#include <stdexcept>
 #include <type_traits>
 
 namespace offmap::app {
@@ -18,7 +16,6 @@ namespace offmap::app {
 namespace {
 
 using nlohmann::json;
-using Bytes = std::vector<uint8_t>;
 
 /// Maps of some 30 million walls; larger ones are no plans.
 constexpr size_t capacity = size_t{1} << 31;  // [byte]
@@ -76,35 +73,15 @@ maps::MapOfFile unpacked(std::span<const uint8_t> bytes) {
     return map;
 }
 
-enum ChildCode : int { gaveMap, gaveMessage };
-
-int readInChild(const std::filesystem::path& file, const maps::MapOptions& options,
-                Handover& handover) {
-    try {
-        handover.put(packed(maps::readMap(file, options)));
-        return gaveMap;
-    } catch (const std::exception& error) {
-        const std::string what = error.what();
-        handover.put(Bytes(what.begin(), what.end()));
-        return gaveMessage;
-    }
-}
-
 }  // namespace
 
 maps::MapOfFile readMapGuarded(const std::filesystem::path& file, const maps::MapOptions& options) {
-    using Kind = rawlog::GuardedOutcome::Kind;
-    Handover handover(capacity);
-    const auto outcome = rawlog::runGuarded(
-        [&](rawlog::GuardedStatus&) { return readInChild(file, options, handover); });
-    if (outcome.kind == Kind::Interrupted) throw Interrupted(outcome.signal);
-    if (outcome.kind == Kind::Died) {
-        throw std::runtime_error(fmt::format("{}: the map cannot be read: {}; is the file damaged?",
-                                             file.string(), outcome.cause));
-    }
-    const std::span<const uint8_t> content = handover.content();
-    if (outcome.exitCode == gaveMap) return unpacked(content);
-    throw std::runtime_error(std::string(content.begin(), content.end()));
+    return unpacked(bytesFromChild(
+        capacity, [&](rawlog::GuardedStatus&) { return packed(maps::readMap(file, options)); },
+        [&](const rawlog::GuardedOutcome& outcome) {
+            return fmt::format("{}: the map cannot be read: {}; is the file damaged?",
+                               file.string(), outcome.cause);
+        }));
 }
 
 }  // namespace offmap::app
