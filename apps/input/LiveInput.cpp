@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveInput.h"
 
-#include "LogCheck.h"
 #include "NumberList.h"
 #include "UsageError.h"
 
@@ -49,11 +48,11 @@ void choosePosesWithoutLog(const LiveRequest& request, const rawlog::Config& con
 
 LiveInput replay(const LiveRequest& request, const rawlog::Config& config) {
     const std::filesystem::path log(request.from.source);
-    requireReadable(log, config);
+    request.checkLog(log, config);
     rawlog::RawlogReader reader(log);
     LiveInput input;
     const auto survey = std::make_shared<const rawlog::LogSurvey>(
-        rawlog::surveyLog(reader, config, std::numeric_limits<uint64_t>::max(), [] {}));
+        rawlog::surveyLog(reader, config, std::numeric_limits<uint64_t>::max(), request.onEntry));
     input.survey = survey;
     if (request.from.track.empty()) {
         rawlog::ChosenPoses poses =

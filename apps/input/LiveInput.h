@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "LogCheck.h"
 #include "SharedOptions.h"
 #include "SourceOptions.h"
 
@@ -9,6 +10,8 @@
 #include <offmap/live/TrackedPoses.h>
 #include <offmap/rawlog/LogSurvey.h>
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -30,6 +33,11 @@ struct LiveRequest {
     SourceOptions from;
     SharedOptions shared;
     bool forWindow = false;  ///< a log waits at its end, and may be without poses
+    /// Called before an entry of a log is read; what it throws ends the opening.
+    std::function<void()> onEntry = [] {};
+    /// Must throw if reading the log might crash this program.
+    std::function<void(const std::filesystem::path&, const rawlog::Config&)> checkLog =
+        requireReadable;
 };
 
 /// \throw UsageError, std::runtime_error for what cannot be opened

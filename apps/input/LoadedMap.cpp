@@ -36,11 +36,14 @@ std::string describe(const maps::MapOfFile& map, const std::string& file) {
     return text;
 }
 
-LoadedMap loadMap(const std::filesystem::path& file, const maps::MapOptions& options) {
-    maps::MapOfFile map = readMapGuarded(file, options);
-    std::string description = describe(map, file.string());
+LoadedMap loadedMapOf(maps::MapOfFile map, const std::string& file) {
+    std::string description = describe(map, file);
     return {core::LineMap(std::move(map.walls)), std::move(map.format), std::move(description),
             std::move(map.notes), std::move(map.warnings)};
+}
+
+LoadedMap loadMap(const std::filesystem::path& file, const maps::MapOptions& options) {
+    return loadedMapOf(readMapGuarded(file, options), file.string());
 }
 
 std::string summaryOf(const LoadedMap& map) {

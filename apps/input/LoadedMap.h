@@ -17,6 +17,8 @@ struct LoadedMap {
     std::vector<std::string> notes, warnings;
 };
 
+LoadedMap loadedMapOf(maps::MapOfFile map, const std::string& file);
+
 /// \throw std::runtime_error for a map that cannot be read
 LoadedMap loadMap(const std::filesystem::path& file, const maps::MapOptions& options);
 

@@ -2,13 +2,13 @@
 #include "LiveCommand.h"
 
 #include "../SummaryText.h"
-#include "Interruption.h"
 #include "LiveCommandOptions.h"
-#include "LiveRecorder.h"
 #include "LiveText.h"
 #include "input/Console.h"
 #include "input/Guarded.h"
+#include "input/Interruption.h"
 #include "input/LiveInput.h"
+#include "input/LiveRecorder.h"
 #include "input/NamedFiles.h"
 #include "input/UsageError.h"
 
@@ -64,6 +64,13 @@ void waitForEnd(const LiveCommandOptions& options, const live::LiveReduction& re
     line.clear();
 }
 
+LiveRequest requestOf(const LiveCommandOptions& options) {
+    LiveRequest request;
+    request.from = options.from;
+    request.shared = options.shared;
+    return request;
+}
+
 int run(const LiveCommandOptions& options) {
     const rawlog::Config config = options.shared.readConfig();
     options.from.speedFactor();  // what is wrong with it is told now
@@ -72,7 +79,7 @@ int run(const LiveCommandOptions& options) {
     LoadedMap map = options.shared.readMap(config);
     for (const std::string& warning : map.warnings) say(stderr, "warning: {}\n", warning);
     rawlog::registerMrptClasses();
-    LiveInput input = openLiveInput({options.from, options.shared}, config);
+    LiveInput input = openLiveInput(requestOf(options), config);
     std::unique_ptr<LiveRecorder> recorder;
     if (!options.record.empty()) {
         recorder = std::make_unique<LiveRecorder>(options.record, options.force);
