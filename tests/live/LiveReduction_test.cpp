@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -85,13 +86,17 @@ class OneTurn : public TurnsInMemory {
 };
 
 TEST(LiveReduction, aChangeReducesTheLatestTurnAgain) {
-    LiveReduction reduction(std::make_unique<OneTurn>(), officeSetup());
-    while (!reduction.latest()) std::this_thread::sleep_for(1ms);
+    std::atomic<int> told = 0;
+    LiveOptions options;
+    options.onLatest = [&] { ++told; };
+    LiveReduction reduction(std::make_unique<OneTurn>(), officeSetup(), options);
+    while (told < 1) std::this_thread::sleep_for(1ms);
     const LiveFramePtr before = reduction.latest();
     LiveSetup tuned = officeSetup();
     tuned.config.reduction.vertical.minLength = 100;  // [m]: no segment at all
     reduction.change(tuned);
-    while (reduction.latest() == before) std::this_thread::sleep_for(1ms);
+    while (told < 2) std::this_thread::sleep_for(1ms);
+    EXPECT_NE(reduction.latest(), before);
     EXPECT_GT(before->reduced.record.removed(), 0U);
     EXPECT_EQ(reduction.latest()->reduced.record.removed(), 0U);
     EXPECT_EQ(reduction.figures().totals.scans, 1U) << "it is the same turn";

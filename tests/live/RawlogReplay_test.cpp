@@ -91,6 +91,21 @@ TEST_F(Replay, stepsThroughAPause) {
     EXPECT_EQ(source.next({})->number, 2U);
 }
 
+TEST_F(Replay, jumpsInAPauseAndWaitsThere) {
+    auto source = replay(1);
+    source.pause();
+    source.jumpTo(3);
+    source.jumpTo(6);
+    EXPECT_EQ(source.next({})->number, 6U);
+    std::jthread later([&] {
+        std::this_thread::sleep_for(20ms);
+        source.step();
+    });
+    const auto begin = Steady::now();
+    EXPECT_EQ(source.next({})->number, 7U);
+    EXPECT_GE(Steady::now() - begin, 19ms) << "the first jump has left nothing to do";
+}
+
 TEST_F(Replay, waitsAtTheEndForAJump) {
     auto source = replay(noWait, RawlogReplay::AtEnd::Wait);
     while (source.next({})->number < 9) {

@@ -91,14 +91,18 @@ void LiveReduction::reduceNext(const ArrivedTurn& turn) {
         points_.add(now, static_cast<double>(frame->reduced.record.counts.returns));
     }
     if (options_.onFrame) options_.onFrame(frame);
+    if (options_.onLatest) options_.onLatest();
 }
 
 void LiveReduction::reduceLatestAgain() {
     const LiveFramePtr before = latest();
     if (!before) return;
     const LiveFramePtr frame = reduced(before->arrived);
-    const std::lock_guard lock(mutex_);
-    latest_ = frame;
+    {
+        const std::lock_guard lock(mutex_);
+        latest_ = frame;
+    }
+    if (options_.onLatest) options_.onLatest();
 }
 
 void LiveReduction::end(const std::string& failure) {

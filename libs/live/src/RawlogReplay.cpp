@@ -48,7 +48,7 @@ bool RawlogReplay::readTurns() {
     return !ready_.empty();
 }
 
-void RawlogReplay::obeyJump() {
+void RawlogReplay::obeyJump(const std::stop_token& stop) {
     std::optional<uint64_t> jump;
     {
         const std::lock_guard lock(mutex_);
@@ -57,10 +57,15 @@ void RawlogReplay::obeyJump() {
         clock_.restart();
     }
     if (*jump < nextNumber_) open();
-    while (nextNumber_ < *jump && readTurns()) {
+    while (nextNumber_ < *jump && !stop.stop_requested() && !jumpWaits() && readTurns()) {
         ready_.pop_front();
         ++nextNumber_;
     }
+}
+
+bool RawlogReplay::jumpWaits() const {
+    const std::lock_guard lock(mutex_);
+    return jump_.has_value();
 }
 
 /// False if it was stopped, or something else is wanted first.
@@ -99,8 +104,9 @@ bool RawlogReplay::waitForJump(const std::stop_token& stop) {
 
 std::optional<ArrivedTurn> RawlogReplay::next(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        obeyJump();
         try {
+            obeyJump(stop);
+            if (jumpWaits()) continue;
             if (!readTurns()) {
                 if (waitForJump(stop)) continue;
                 return std::nullopt;
@@ -168,6 +174,7 @@ void RawlogReplay::jumpTo(uint64_t number) {
     {
         const std::lock_guard lock(mutex_);
         jump_ = number;
+        steps_ = clock_.paused() ? 1 : 0;
     }
     changed_.notify_all();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/view/MrptCamera.h>
 #include <offmap/view/Render.h>
 
 #include <fmt/format.h>
-#include <mrpt/core/bits_math.h>
 #include <mrpt/opengl/CFBORender.h>
 #include <mrpt/opengl/COpenGLScene.h>
 
@@ -30,19 +30,6 @@ std::unique_ptr<mrpt::opengl::CFBORender> offscreen(uint32_t width, uint32_t hei
                     why.substr(0, why.find('\n'))));
 }
 
-mrpt::opengl::CCamera toMrpt(const Camera& camera) {
-    mrpt::opengl::CCamera c;
-    c.setPointingAt(camera.target);
-    c.setAzimuthDegrees(static_cast<float>(mrpt::RAD2DEG(camera.azimuth)));
-    c.setElevationDegrees(static_cast<float>(mrpt::RAD2DEG(camera.elevation)));
-    const bool parallel = camera.shorterSide > 0;
-    c.setOrthogonal(parallel);
-    c.setProjectiveFOVdeg(static_cast<float>(mrpt::RAD2DEG(Camera::fieldOfView)));
-    // With parallel beams MRPT shows half the zoom distance on the picture's shorter side.
-    c.setZoomDistance(static_cast<float>(parallel ? 2 * camera.shorterSide : camera.distance));
-    return c;
-}
-
 /// OpenCV, which encodes the picture, does not tell of a disk that is full.
 bool endsAsPng(const fs::path& file) {
     constexpr std::string_view end("IEND\xAE\x42\x60\x82", 8);
@@ -65,7 +52,7 @@ mrpt::img::CImage render(const mrpt::opengl::CSetOfObjects::Ptr& scene, const Ca
     // otherwise.
     const uint32_t wholeWords = (width + 3) / 4 * 4;
     const auto renderer = offscreen(wholeWords, height);
-    renderer->setCamera(stage, toMrpt(camera));
+    renderer->setCamera(stage, mrptCameraOf(camera));
     mrpt::img::CImage wide(static_cast<int32_t>(wholeWords), static_cast<int32_t>(height),
                            mrpt::img::CH_RGB);
     renderer->render_RGB(stage, wide);

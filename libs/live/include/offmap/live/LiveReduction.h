@@ -29,6 +29,9 @@ struct LiveOptions {
     /// Called for every turn by the thread that reduces, before the next one is reduced. What it
     /// throws ends the reduction.
     std::function<void(const LiveFramePtr&)> onFrame{};
+    /// Called by the same thread whenever latest() has changed: for a turn that was reduced again,
+    /// too. Must not throw.
+    std::function<void()> onLatest{};
 };
 
 /// Reduces what a source delivers as it comes: one thread waits for the source, one reduces. Where

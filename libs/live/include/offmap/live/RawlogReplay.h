@@ -40,6 +40,7 @@ class RawlogReplay : public ScanSource {
     /// While it is paused: one more turn.
     void step();
     /// Goes on with the turn of that number; the log is read from its beginning if it lies behind.
+    /// While it is paused, that turn comes and no more.
     void jumpTo(uint64_t number);
 
  private:
@@ -47,7 +48,8 @@ class RawlogReplay : public ScanSource {
     bool readTurns();
     bool waitUntilDue(const rawlog::Turn& turn, const std::stop_token& stop);
     bool waitForJump(const std::stop_token& stop);
-    void obeyJump();
+    void obeyJump(const std::stop_token& stop);
+    bool jumpWaits() const;
 
     const std::filesystem::path log_;
     const rawlog::LogSurvey& survey_;
