@@ -34,17 +34,27 @@ std::vector<TColor> forEach(const PlacedReturns& returns, const Colour& colour) 
 
 std::vector<TColor> byHeight(const PlacedReturns& returns) {
     if (returns.points.empty()) return {};
-    std::vector<float> heights;
-    for (const auto& point : returns.points) heights.push_back(point.z);
-    std::ranges::sort(heights);
-    const size_t cut = heights.size() / 50;
-    const double low = heights[cut], high = heights[heights.size() - 1 - cut];
-    const double range = std::max(high - low, 1e-3);
-    return forEach(returns,
-                   [&](size_t i) { return sequential((returns.points[i].z - low) / range); });
+    const core::Interval heights = colouredHeights(returns);
+    const double range = std::max(heights.width(), 1e-3);
+    return forEach(returns, [&](size_t i) {
+        return sequential((static_cast<double>(returns.points[i].z) - heights.min()) / range);
+    });
 }
 
 }  // namespace
+
+core::Interval colouredHeights(const PlacedReturns& returns) {
+    std::vector<float> heights;
+    heights.reserve(returns.points.size());
+    for (const auto& point : returns.points)
+        if (std::isfinite(point.z)) heights.push_back(point.z);
+    if (heights.empty()) return {0, 0};
+    const auto cut = static_cast<std::ptrdiff_t>(heights.size() / 50);
+    const auto low = heights.begin() + cut, high = heights.end() - 1 - cut;
+    std::nth_element(heights.begin(), low, heights.end());
+    std::nth_element(low, high, heights.end());
+    return {static_cast<double>(*low), static_cast<double>(*high)};
+}
 
 std::vector<TColor> coloursOf(const PlacedReturns& returns, const core::OrganizedScan& scan,
                               const core::ReductionResult& result, ColourBy colourBy,
@@ -64,9 +74,8 @@ std::vector<TColor> coloursOf(const PlacedReturns& returns, const core::Organize
         const uint32_t segment = segments[returns.indices[i]];
         if (segment == none) return byLabel(i);
         const core::SegmentMatch& match = result.matches[segment];
-        constexpr double most = 5;  // standard deviations
         if (colourBy == ColourBy::Residual) {
-            return match.predicted ? diverging(match.residual / most) : palette.rest;
+            return match.predicted ? diverging(match.residual / colouredResidual) : palette.rest;
         }
         return match.verdict == core::Verdict::Kept ? palette.of(match.reason) : byLabel(i);
     });

@@ -21,7 +21,8 @@ TColor between(const TColor& a, const TColor& b, double share) {
 
 template <size_t N>
 TColor along(const std::array<TColor, N>& stops, double share) {
-    const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(N - 1);
+    // What is no number goes to the first.
+    const double place = (share > 0 ? std::min(share, 1.0) : 0.0) * static_cast<double>(N - 1);
     const auto low = std::min(static_cast<size_t>(place), N - 2);
     return between(stops[low], stops[low + 1], place - static_cast<double>(low));
 }
@@ -69,7 +70,8 @@ Palette Palette::light() {
             .wall{37, 99, 235},
             .sensor{202, 138, 4},
             .refined{13, 148, 136},
-            .text{30, 41, 59}};
+            .text{30, 41, 59},
+            .highlight{2, 6, 23}};
 }
 
 TColor sequential(double share) {

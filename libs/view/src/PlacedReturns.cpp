@@ -17,7 +17,7 @@ Range1D percentiles(std::vector<float>& values, double share) {
     const auto cut = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
     std::nth_element(values.begin(), values.begin() + cut, values.end());
     const double min = values[static_cast<size_t>(cut)];
-    std::nth_element(values.begin(), values.end() - 1 - cut, values.end());
+    std::nth_element(values.begin() + cut, values.end() - 1 - cut, values.end());
     return {min, *(values.end() - 1 - cut)};
 }
 
@@ -28,7 +28,10 @@ Range1D atLeast(Range1D r, double width) {
 
 Range1D extentAlong(const PlacedReturns& returns, float mrpt::math::TPoint3Df::*axis) {
     std::vector<float> all, mapped;
+    all.reserve(returns.points.size());
+    mapped.reserve(returns.points.size());
     for (size_t i = 0; i < returns.points.size(); ++i) {
+        if (!std::isfinite(returns.points[i].*axis)) continue;
         all.push_back(returns.points[i].*axis);
         if (returns.labels[i] == core::PointLabel::Mapped) mapped.push_back(all.back());
     }
@@ -51,6 +54,8 @@ PlacedReturns placedReturns(const core::OrganizedScan& scan,
     PlacedReturns placed;
     placed.points.reserve(scan.points.size());
     placed.labels.reserve(scan.points.size());
+    placed.indices.reserve(scan.points.size());
+    placed.sensorPath.reserve(scan.columns.size());
     for (const core::ScanColumn& column : scan.columns) {
         if (!column.sensor && !fallbackSensorInMap) continue;
         const auto& sensorInMap = column.sensor ? column.sensor->sensorInMap : *fallbackSensorInMap;

@@ -1,43 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FastCloud.h"
+#include "WallStrips.h"
+
 #include <offmap/core/WallGeometry.h>
 #include <offmap/view/Scene.h>
 
 #include <mrpt/opengl/CArrow.h>
-#include <mrpt/opengl/CPointCloudColoured.h>
-#include <mrpt/opengl/CSetOfLines.h>
-#include <mrpt/opengl/CSetOfTriangles.h>
 #include <mrpt/opengl/CSphere.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <memory>
 
 namespace offmap::view {
 namespace {
 
+using core::PointLabel;
 using mrpt::math::TBoundingBox;
-using mrpt::math::TPoint3D;
 using mrpt::opengl::CSetOfObjects;
 
-/// Returns off the vertical segments are many and matter least: smaller, and drawn first.
-CSetOfObjects::Ptr cloudsOf(const PlacedReturns& returns, const SceneOptions& options) {
-    auto rest = mrpt::opengl::CPointCloudColoured::Create();
-    auto onSegments = mrpt::opengl::CPointCloudColoured::Create();
-    rest->setPointSize(0.7F * options.pointSize);
-    onSegments->setPointSize(options.pointSize);
-    for (size_t i = 0; i < returns.points.size(); ++i) {
-        const core::PointLabel label = returns.labels[i];
-        const mrpt::img::TColorf colour(returns.colours.empty() ? options.palette.of(label)
-                                                                : returns.colours[i]);
-        const auto& p = returns.points[i];
-        auto& cloud = label == core::PointLabel::NotOnVerticalSegment ? *rest : *onSegments;
-        cloud.push_back(p.x, p.y, p.z, colour.R, colour.G, colour.B);
+constexpr std::array labels{PointLabel::NotOnVerticalSegment, PointLabel::Kept, PointLabel::Mapped,
+                            PointLabel::Orphan};
+
+/// Points on their way into a cloud.
+struct CloudPoints {
+    std::vector<mrpt::math::TPoint3Df> points;
+    std::vector<mrpt::img::TColor> colours;
+
+    void reserve(size_t n) {
+        points.reserve(n);
+        colours.reserve(n);
     }
-    auto clouds = CSetOfObjects::Create();
-    clouds->setName("returns");
-    clouds->insert(rest);
-    clouds->insert(onSegments);
-    return clouds;
-}
+    mrpt::opengl::CRenderizable::Ptr cloud(float pointSize) && {
+        auto cloud = std::make_shared<FastCloud>(std::move(points), std::move(colours));
+        cloud->setPointSize(pointSize);
+        return cloud;
+    }
+};
 
 bool comesNear(const core::Wall& wall, const TBoundingBox& extent) {
     const double margin = 0.25 * std::max(extent.max.x - extent.min.x, extent.max.y - extent.min.y);
@@ -46,51 +45,63 @@ bool comesNear(const core::Wall& wall, const TBoundingBox& extent) {
            low.y <= extent.max.y + margin && extent.min.y - margin <= high.y;
 }
 
-/// How many straight pieces look like the wall.
-int piecesOf(const core::Wall& wall) {
-    constexpr double angle = 0.1;  // [rad] of a piece that looks straight
-    const double turn = std::abs(wall.curvature) * core::lengthOf(wall);
-    return std::max(1, static_cast<int>(std::ceil(turn / angle)));
+}  // namespace
+
+bool isShown(PointLabel label, const SceneOptions& options) {
+    if (core::isRemoved(label)) return options.showMapped;
+    return label == PointLabel::Kept || options.showRest;
 }
 
-void addWall(const core::Wall& wall, const TBoundingBox& extent, mrpt::opengl::CSetOfLines& lines,
-             mrpt::opengl::CSetOfTriangles& surfaces) {
-    const double low = std::max(wall.height.min(), extent.min.z);
-    const double high = std::max(low, std::min(wall.height.max(), extent.max.z));
-    const auto at = [](const mrpt::math::TPoint2D& p, double z) { return TPoint3D{p.x, p.y, z}; };
-    const int pieces = piecesOf(wall);
-    mrpt::math::TPoint2D a = wall.line.point1;
-    lines.appendLine(at(a, low), at(a, high));
-    for (int i = 1; i <= pieces; ++i) {
-        const auto b = i == pieces ? wall.line.point2 : core::placeAt(wall, double(i) / pieces);
-        lines.appendLine(at(a, low), at(b, low));
-        lines.appendLine(at(a, high), at(b, high));
-        surfaces.insertTriangle(mrpt::opengl::TTriangle(at(a, low), at(b, low), at(b, high)));
-        surfaces.insertTriangle(mrpt::opengl::TTriangle(at(a, low), at(b, high), at(a, high)));
-        a = b;
+std::vector<uint8_t> hiddenReturns(const PlacedReturns& returns, const SceneOptions& options) {
+    if (options.showMapped && options.showRest) return {};
+    std::vector<uint8_t> hidden(returns.labels.size());
+    std::ranges::transform(returns.labels, hidden.begin(), [&](PointLabel label) -> uint8_t {
+        return isShown(label, options) ? 0 : 1;
+    });
+    return hidden;
+}
+
+/// Returns off the vertical segments are many and matter least: smaller, and drawn first.
+CSetOfObjects::Ptr returnsOf(const PlacedReturns& returns, const SceneOptions& options) {
+    std::array<size_t, labels.size()> counts{};
+    for (const PointLabel label : returns.labels) ++counts.at(static_cast<size_t>(label));
+    std::array<mrpt::img::TColor, labels.size()> colours;
+    std::array<bool, labels.size()> shown{};
+    for (const PointLabel label : labels) {
+        colours.at(static_cast<size_t>(label)) = options.palette.of(label);
+        shown.at(static_cast<size_t>(label)) = isShown(label, options);
     }
-    lines.appendLine(at(a, low), at(a, high));
+    CloudPoints rest, onSegments;
+    rest.reserve(counts.front());
+    onSegments.reserve(returns.points.size() - counts.front());
+    for (size_t i = 0; i < returns.points.size(); ++i) {
+        const auto label = static_cast<size_t>(returns.labels[i]);
+        if (!shown[label]) continue;
+        CloudPoints& cloud = label == 0 ? rest : onSegments;
+        cloud.points.push_back(returns.points[i]);
+        cloud.colours.push_back(returns.colours.empty() ? colours[label] : returns.colours[i]);
+    }
+    auto clouds = CSetOfObjects::Create();
+    clouds->setName("returns");
+    clouds->insert(std::move(rest).cloud(0.7F * options.pointSize));
+    clouds->insert(std::move(onSegments).cloud(options.pointSize));
+    return clouds;
 }
 
 CSetOfObjects::Ptr wallsOf(const core::LineMap& map, const TBoundingBox& extent,
                            const SceneOptions& options) {
-    auto lines = mrpt::opengl::CSetOfLines::Create();
-    auto surfaces = mrpt::opengl::CSetOfTriangles::Create();
+    WallStrips strips;
     for (const core::Wall& wall : map.walls())
-        if (comesNear(wall, extent)) addWall(wall, extent, *lines, *surfaces);
-    lines->setColor_u8(options.palette.wall);
-    lines->setLineWidth(options.wallLineWidth);
-    surfaces->setColor_u8(options.palette.wall);
-    surfaces->setColorA_u8(options.wallOpacity);
-    surfaces->enableLight(false);
+        if (comesNear(wall, extent)) strips.add(wall, extent.min.z, extent.max.z);
     auto walls = CSetOfObjects::Create();
     walls->setName("walls");
-    walls->insert(lines);
-    if (options.wallOpacity > 0) walls->insert(surfaces);
+    walls->insert(strips.lines(options.palette.wall, options.wallLineWidth));
+    if (options.wallOpacity > 0) {
+        walls->insert(strips.surfaces(options.palette.wall, options.wallOpacity));
+    }
     return walls;
 }
 
-/// A ball where the scanner stood in the middle of the turn, and an arrow to its front.
 CSetOfObjects::Ptr sensorOf(const PlacedReturns& returns, const TBoundingBox& extent,
                             const SceneOptions& options) {
     auto sensor = CSetOfObjects::Create();
@@ -110,14 +121,12 @@ CSetOfObjects::Ptr sensorOf(const PlacedReturns& returns, const TBoundingBox& ex
     return sensor;
 }
 
-}  // namespace
-
 CSetOfObjects::Ptr sceneOf(const PlacedReturns& returns, const core::LineMap& map,
                            const TBoundingBox& extent, const SceneOptions& options) {
     auto scene = CSetOfObjects::Create();
-    scene->insert(cloudsOf(returns, options));
-    scene->insert(sensorOf(returns, extent, options));
-    scene->insert(wallsOf(map, extent, options));  // last: it lets the others shine through
+    scene->insert(returnsOf(returns, options));
+    if (options.showPoses) scene->insert(sensorOf(returns, extent, options));
+    if (options.showWalls) scene->insert(wallsOf(map, extent, options));
     return scene;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/core/Interval.h>
 #include <offmap/core/OrganizedScan.h>
 #include <offmap/core/ReductionResult.h>
 #include <offmap/view/Palette.h>
@@ -20,6 +21,12 @@ enum class ColourBy : uint8_t {
     Residual,   ///< of its segment: blue in front of the wall by 5 standard deviations, red behind
     Reason,     ///< why its segment was kept
 };
+
+/// [-] Standard deviations that the colours of residuals reach to.
+inline constexpr double colouredResidual = 5;
+
+/// [m] z in the map that the colours of heights reach from and to.
+core::Interval colouredHeights(const PlacedReturns& returns);
 
 /// A colour for each placed return.
 /// \param intensities [0, 1] one per point of the scan, NaN where unknown; may be empty

@@ -19,6 +19,7 @@ struct Palette {
     mrpt::img::TColor sensor{250, 204, 21};   ///< where it was said to stand
     mrpt::img::TColor refined{45, 212, 191};  ///< where the scan shows it to have stood
     mrpt::img::TColor text{226, 232, 240};
+    mrpt::img::TColor highlight{255, 255, 255};  ///< what is being looked at
 
     mrpt::img::TColor of(core::PointLabel label) const;
     /// Of returns whose segment was kept for this reason.
