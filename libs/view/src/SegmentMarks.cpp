@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FastCloud.h"
+#include "WallStrips.h"
+
+#include <offmap/view/SegmentMarks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace offmap::view {
+
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPoint3D;
+using mrpt::math::TSegment3D;
+using mrpt::opengl::CRenderizable;
+using mrpt::opengl::CSetOfObjects;
+
+constexpr float thick = 6, medium = 3, thin = 1.5F;  // [px]
+
+/// The vertical plane that a segment stands in.
+struct BeamPlane {
+    TPoint3D sensor;  ///< [m] map frame
+    TPoint2D along;   ///< unit vector on the ground
+    double floor;     ///< [m] z in the map that intervals are drawn at
+
+    /// \param aside [m] to the left of the beam
+    TPoint3D at(double groundRange, double z, double aside = 0) const {
+        return {sensor.x + groundRange * along.x - aside * along.y,
+                sensor.y + groundRange * along.y + aside * along.x, z};
+    }
+};
+
+void insert(CSetOfObjects& marks, const char* name, const CRenderizable::Ptr& mark) {
+    mark->setName(name);
+    marks.insert(mark);
+}
+
+CRenderizable::Ptr linesOf(const std::vector<TSegment3D>& segments, const mrpt::img::TColor& colour,
+                           float width) {
+    auto lines = mrpt::opengl::CSetOfLines::Create();
+    lines->appendLines(segments);
+    lines->setColor_u8(colour);
+    lines->setLineWidth(width);
+    return lines;
+}
+
+/// An interval on the floor, with a tick across either end.
+CRenderizable::Ptr markOf(const core::Interval& interval, const BeamPlane& plane, double aside,
+                          const mrpt::img::TColor& colour) {
+    const double tick = 0.4 * std::abs(aside), z = plane.floor;
+    const double from = std::max(interval.min(), 0.0), to = std::max(interval.max(), from);
+    return linesOf({{plane.at(from, z, aside), plane.at(to, z, aside)},
+                    {plane.at(from, z, aside - tick), plane.at(from, z, aside + tick)},
+                    {plane.at(to, z, aside - tick), plane.at(to, z, aside + tick)}},
+                   colour, thick);
+}
+
+std::vector<mrpt::math::TPoint3Df> placesOf(const core::OrganizedScan& scan,
+                                            const core::VerticalSegment& segment,
+                                            const mrpt::poses::CPose3D& sensorInMap) {
+    std::vector<mrpt::math::TPoint3Df> places;
+    places.reserve(segment.end - segment.begin);
+    for (uint32_t i = segment.begin; i < segment.end; ++i) {
+        places.emplace_back(sensorInMap.composePoint(scan.points.at(i)));
+    }
+    return places;
+}
+
+/// None if the returns stand right above or below the sensor.
+std::optional<BeamPlane> planeThrough(const std::vector<mrpt::math::TPoint3Df>& places,
+                                      const mrpt::poses::CPose3D& sensorInMap, double bottom,
+                                      const core::Wall* wall) {
+    BeamPlane plane{{sensorInMap.x(), sensorInMap.y(), sensorInMap.z()}, {}, 0};
+    for (const auto& p : places) {
+        plane.along.x += static_cast<double>(p.x) - plane.sensor.x;
+        plane.along.y += static_cast<double>(p.y) - plane.sensor.y;
+    }
+    const double length = plane.along.norm();
+    if (!(length > 0 && std::isfinite(length))) return std::nullopt;
+    plane.along *= 1 / length;
+    plane.floor = plane.sensor.z + bottom;
+    if (wall && std::isfinite(wall->height.min())) {
+        plane.floor = std::min(plane.floor, wall->height.min());
+    }
+    return plane;
+}
+
+void markWall(CSetOfObjects& marks, const core::Wall& wall, double floor, double top,
+              const mrpt::img::TColor& colour) {
+    constexpr uint8_t opacity = 70;
+    WallStrips strip;
+    strip.add(wall, floor, std::isfinite(wall.height.max()) ? wall.height.max() : top);
+    auto both = CSetOfObjects::Create();
+    both->insert(strip.lines(colour, medium));
+    both->insert(strip.surfaces(colour, opacity));
+    insert(marks, "wall", both);
+}
+
+}  // namespace
+
+CSetOfObjects::Ptr segmentMarksOf(const core::OrganizedScan& scan,
+                                  const core::ReductionResult& result, const core::LineMap& map,
+                                  uint32_t segment, const Palette& palette,
+                                  const std::optional<mrpt::poses::CPose3D>& fallbackSensorInMap) {
+    auto marks = CSetOfObjects::Create();
+    marks->setName("segment");
+    const core::VerticalSegment& found = result.segments.at(segment);
+    const core::SegmentMatch& match = result.matches.at(segment);
+    const core::ScanColumn& column = scan.columns.at(found.column);
+    if (!column.sensor && !fallbackSensorInMap) return marks;
+    const auto& sensorInMap = column.sensor ? column.sensor->sensorInMap : *fallbackSensorInMap;
+    const core::Wall* wall =
+        match.wall && *match.wall < map.walls().size() ? &map.walls()[*match.wall] : nullptr;
+    auto places = placesOf(scan, found, sensorInMap);
+    const auto plane =
+        planeThrough(places, sensorInMap, std::min(found.bottom.y, found.top.y), wall);
+    if (!plane) return marks;
+
+    const double aside = 0.03 + 0.01 * match.measured.centre();  // [m] apart at any range
+    const double low = plane->sensor.z + found.bottom.y, high = plane->sensor.z + found.top.y;
+    std::vector<mrpt::img::TColor> colours(places.size(), palette.highlight);
+    const auto cloud = std::make_shared<FastCloud>(std::move(places), std::move(colours));
+    cloud->setPointSize(9);
+    cloud->enableVariablePointSize(false);
+    insert(*marks, "returns", cloud);
+    insert(*marks, "line",
+           linesOf({{plane->at(found.bottom.x, low), plane->at(found.top.x, high)}},
+                   palette.highlight, medium));
+    insert(*marks, "beam",
+           linesOf({{plane->at(0, plane->floor), plane->at(found.bottom.x, plane->floor)},
+                    {plane->at(found.bottom.x, plane->floor), plane->at(found.bottom.x, low)}},
+                   palette.highlight, thin));
+    insert(*marks, "measured", markOf(match.measured, *plane, aside, palette.highlight));
+    if (match.predicted) {
+        insert(*marks, "predicted", markOf(*match.predicted, *plane, -aside, palette.wall));
+    }
+    if (wall) markWall(*marks, *wall, plane->floor, std::max(low, high), palette.wall);
+    return marks;
+}
+
+}  // namespace offmap::view
