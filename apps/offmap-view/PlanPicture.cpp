@@ -116,8 +116,8 @@ DotMask maskOf(const PlanView& view, std::span<const mrpt::math::TPoint2D> place
 wxBitmap pictureOfWalls(const core::LineMap& map, const PlanView& view, const wxColour& ground,
                         const wxColour& wall, double pixelsPerPixel) {
     wxBitmap picture;
-    picture.CreateWithDIPSize(static_cast<int>(view.width()), static_cast<int>(view.height()), 24,
-                              pixelsPerPixel);
+    picture.CreateWithDIPSize(static_cast<int>(view.width()), static_cast<int>(view.height()),
+                              pixelsPerPixel, 24);
     wxMemoryDC dc(picture);
     dc.SetBackground(wxBrush(ground));
     dc.Clear();
