@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Playback.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace offmap::window {
+
+Playback::Playback(app::LiveInput input, live::LiveSetup setup, PlaybackEvents events, bool play)
+    : input_(std::move(input)),
+      setup_(std::move(setup)),
+      events_(std::move(events)),
+      playing_(play || !input_.replay) {
+    if (!playing_) {
+        input_.replay->pause();
+        input_.replay->step();
+    }
+    live::LiveOptions options;
+    options.onFrame = [this](const live::LiveFramePtr& frame) { take(frame); };
+    options.onLatest = events_.onLatest;
+    reduction_ =
+        std::make_unique<live::LiveReduction>(std::move(input_.source), setup_, std::move(options));
+}
+
+Playback::~Playback() { reduction_->stop(); }
+
+void Playback::take(const live::LiveFramePtr& frame) {
+    if (input_.tracked && frame->reduced.vehicleInMap) {
+        input_.tracked->correct(*frame->reduced.vehicleInMap, frame->reduced.record.time);
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        if (recorder_) recorder_->add(*frame);
+    }
+    events_.onFrame(frame);
+}
+
+void Playback::setConfig(const rawlog::Config& config) {
+    const std::lock_guard lock(mutex_);
+    setup_.config = config;
+    reduction_->change(setup_);
+}
+
+bool Playback::playing() const {
+    const std::lock_guard lock(mutex_);
+    return playing_ && !reduction_->finished() &&
+           !(canPause() && reduction_->source().health().state == live::SourceState::Ended);
+}
+
+void Playback::play() {
+    if (!canPause()) return;
+    if (reduction_->source().health().state == live::SourceState::Ended) input_.replay->jumpTo(0);
+    const std::lock_guard lock(mutex_);
+    playing_ = true;
+    input_.replay->resume();
+}
+
+void Playback::pause() {
+    if (!canPause()) return;
+    const std::lock_guard lock(mutex_);
+    playing_ = false;
+    input_.replay->pause();
+}
+
+void Playback::step(int turns) {
+    if (!canPause()) return;
+    pause();
+    const live::LiveFramePtr frame = latest();
+    const auto now = frame ? static_cast<int64_t>(frame->arrived.number) : -1;
+    const int64_t wanted = std::max<int64_t>(0, now + turns);
+    if (turns == 1) {
+        input_.replay->step();
+    } else {
+        jumpTo(static_cast<uint64_t>(wanted));
+    }
+}
+
+void Playback::jumpTo(uint64_t turn) {
+    if (canPause()) input_.replay->jumpTo(turn);
+}
+
+void Playback::setSpeed(double factor) {
+    if (canPause()) input_.replay->setSpeed(factor);
+}
+
+void Playback::record(const std::filesystem::path& file) {
+    auto recorder = std::make_unique<app::LiveRecorder>(file, true);
+    const std::lock_guard lock(mutex_);
+    recorder_ = std::move(recorder);
+}
+
+bool Playback::recording() const {
+    const std::lock_guard lock(mutex_);
+    return recorder_ != nullptr;
+}
+
+void Playback::finishRecording() {
+    std::unique_ptr<app::LiveRecorder> recorder;
+    {
+        const std::lock_guard lock(mutex_);
+        recorder = std::move(recorder_);
+    }
+    if (recorder) recorder->publish();
+}
+
+}  // namespace offmap::window

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session.h"
+
+#include "input/LoadedMap.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace offmap::window {
+
+namespace {
+
+/// Each scan is a turn, except those of scanners in a plane that is turned: only reading all of
+/// them tells their number.
+uint64_t turnsIn(const rawlog::LogSurvey& survey) {
+    uint64_t turns = 0;
+    for (const auto& [label, sensor] : survey.sensors) {
+        if (sensor.sweep.isSweep()) return 0;
+        if (sensor.scans3d) turns += sensor.observations;
+    }
+    return turns;
+}
+
+/// Why a log has nothing to show.
+std::string nothingToShow(const std::string& log, const rawlog::LogSurvey& survey) {
+    std::vector<std::string> classes;
+    for (const auto& [label, sensor] : survey.sensors) {
+        classes.push_back(sensor.unsupported.value_or(sensor.className));
+    }
+    return fmt::format("{}: no 3D scans in {} entries ({}); `offmap info` tells what it holds", log,
+                       survey.entries, fmt::join(classes, ", "));
+}
+
+/// What a map that was read depends on.
+std::string keyOf(const std::string& file, const rawlog::MapConfig& config) {
+    std::error_code ignored;
+    const auto written = std::filesystem::last_write_time(file, ignored).time_since_epoch();
+    return fmt::format("{} {} {} {}", file, written.count(), config.sigma, config.minLength);
+}
+
+}  // namespace
+
+Session::Session(FileReader reader, Events events)
+    : reader_(std::move(reader)), events_(std::move(events)) {}
+
+Session::~Session() { close(); }
+
+void Session::close() {
+    if (loader_.joinable()) {
+        loader_.request_stop();
+        loader_.join();
+    }
+    const std::lock_guard lock(mutex_);
+    playback_.reset();
+}
+
+bool Session::opening() const {
+    const std::lock_guard lock(mutex_);
+    return opening_;
+}
+
+std::shared_ptr<Playback> Session::playback() const {
+    const std::lock_guard lock(mutex_);
+    return playback_;
+}
+
+void Session::open(SessionRequest request) {
+    {
+        const std::lock_guard lock(mutex_);
+        opening_ = true;
+    }
+    loader_.request_stop();
+    // The one before is waited for by the new thread, not by whoever calls.
+    loader_ = std::jthread([this, before = std::move(loader_),
+                            request = std::move(request)](const std::stop_token& stop) mutable {
+        if (before.joinable()) before.join();
+        load(request, stop);
+    });
+}
+
+void Session::load(const SessionRequest& request, const std::stop_token& stop) {
+    std::shared_ptr<Playback> playback;
+    {
+        const std::lock_guard lock(mutex_);
+        playback = std::exchange(playback_, nullptr);
+    }
+    playback.reset();  // its threads end here
+    Opened opened;
+    try {
+        opened.map = readMap(request, opened, stop);
+        if (!request.live.from.source.empty()) playback = openSource(request, opened, stop);
+    } catch (const Stopped&) {
+        return;  // the next thread is at work
+    } catch (const std::exception& error) {
+        {
+            const std::lock_guard lock(mutex_);
+            opening_ = false;
+        }
+        events_.onFailure(error.what());
+        return;
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        if (stop.stop_requested()) return;
+        playback_ = std::move(playback);
+        opening_ = false;
+    }
+    events_.onOpened(opened);
+}
+
+std::shared_ptr<const core::LineMap> Session::readMap(const SessionRequest& request, Opened& opened,
+                                                      const std::stop_token& stop) {
+    const std::string file = request.live.shared.map.string();
+    if (file.empty()) return std::make_shared<core::LineMap>(std::vector<core::Wall>());
+    const std::string key = keyOf(file, request.config.map);
+    if (!lastMap_ || key != lastMapKey_) {
+        app::LoadedMap loaded = app::loadedMapOf(reader_.readMap(file, request.config, stop), file);
+        opened.warnings = std::move(loaded.warnings);
+        lastMap_ = std::make_shared<core::LineMap>(std::move(loaded.lines));
+        lastMapDescription_ = std::move(loaded.description);
+        lastMapKey_ = key;
+    }
+    opened.mapDescription = lastMapDescription_;
+    return lastMap_;
+}
+
+std::shared_ptr<Playback> Session::openSource(const SessionRequest& request, Opened& opened,
+                                              const std::stop_token& stop) {
+    app::LiveRequest live = request.live;
+    live.onEntry = [&stop] {
+        if (stop.stop_requested()) throw Stopped();
+    };
+    live.checkLog = [&](const std::filesystem::path& log, const rawlog::Config& config) {
+        reader_.checkLog(log, config, stop);
+    };
+    app::LiveInput input = app::openLiveInput(live, request.config);
+    if (input.survey && !input.survey->holdsScans()) {
+        throw std::runtime_error(nothingToShow(live.from.source, *input.survey));
+    }
+    opened.sourceDescription = input.description;
+    opened.posesDescription = input.posesDescription;
+    if (!input.warning.empty()) opened.warnings.push_back(input.warning);
+    if (input.survey && input.survey->damage) {
+        opened.warnings.emplace_back(input.survey->damage->what());
+    }
+    if (input.replay) opened.turns = turnsIn(*input.survey);
+    live::LiveSetup setup{opened.map, input.poses, request.config};
+    return std::make_shared<Playback>(std::move(input), std::move(setup), events_.playback,
+                                      request.play);
+}
+
+}  // namespace offmap::window
