@@ -41,6 +41,12 @@ std::string defaultText(const Parameter& p) { return p.text(rawlog::Config{}); }
 
 bool isCount(const Parameter& p) { return p.kind == ParameterKind::Count; }
 
+std::string stepHint(const Parameter& p) {
+    if (p.kind != ParameterKind::Number && !isCount(p)) return {};
+    return fmt::format("\nArrow keys and wheel: steps of {:.12g}, with Shift of {:.12g}", stepOf(p),
+                       10 * stepOf(p));
+}
+
 }  // namespace
 
 std::string_view sectionOf(const Parameter& p) { return p.key.substr(0, p.key.find('.')); }
@@ -82,8 +88,8 @@ bool actsAtOnce(const Parameter& p) {
 std::string hintOf(const Parameter& p) {
     std::string meaning(p.meaning);
     meaning.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning.front())));
-    return fmt::format("{}\nAllowed: {}\nDefault: {}\nKey: {}{}", meaning, p.allowed(),
-                       defaultText(p), p.key,
+    return fmt::format("{}\nAllowed: {}\nDefault: {}\nKey: {}{}{}", meaning, p.allowed(),
+                       defaultText(p), p.key, stepHint(p),
                        actsAtOnce(p) ? "" : "\nActs when a log, a map or a source is opened.");
 }
 

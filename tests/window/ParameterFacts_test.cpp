@@ -65,7 +65,8 @@ TEST(ParameterFacts, hintSaysMeaningLimitsDefaultAndKey) {
               "Segments of fewer returns are not used\n"
               "Allowed: a whole number, 2 ... 10000\n"
               "Default: 4\n"
-              "Key: vertical.min_points");
+              "Key: vertical.min_points\n"
+              "Arrow keys and wheel: steps of 1, with Shift of 10");
 }
 
 TEST(ParameterFacts, stepsArePowersOfTenBelowTheDefault) {
