@@ -4,6 +4,7 @@
 #include "NumberList.h"
 #include "UsageError.h"
 
+#include <offmap/live/GrabberSource.h>
 #include <offmap/live/LogFollower.h>
 #include <offmap/live/RawlogReplay.h>
 #include <offmap/live/VelodynePcap.h>
@@ -75,17 +76,39 @@ LiveInput replay(const LiveRequest& request, const rawlog::Config& config) {
     return input;
 }
 
+/// For a source that may deliver robot poses. \return where they are to go; null if they are not
+/// to be used
+std::shared_ptr<live::LivePoses> choosePosesAsTheyCome(const LiveRequest& request,
+                                                       const rawlog::Config& config,
+                                                       LiveInput& input) {
+    if (!request.from.track.empty() || request.shared.poses.request().fixed) {
+        choosePosesWithoutLog(request, config, input);
+        return nullptr;
+    }
+    auto poses = std::make_shared<live::LivePoses>(config.pose.maxAge);
+    input.poses = poses;
+    input.posesDescription = "robot poses, as they come";
+    return poses;
+}
+
+LiveInput grabbed(const LiveRequest& request, const rawlog::Config& config) {
+    LiveInput input;
+    const auto poses = choosePosesAsTheyCome(request, config, input);
+    live::GrabberSource::Options options;
+    options.poseLabel = request.shared.poses.request().label;
+    auto source =
+        std::make_unique<live::GrabberSource>(request.from.source, config, poses, options);
+    const size_t sensors = source->sensors();
+    input.description =
+        fmt::format("{}, {} sensor{}", request.from.source, sensors, sensors == 1 ? "" : "s");
+    input.source = std::move(source);
+    return input;
+}
+
 LiveInput followed(const LiveRequest& request, const rawlog::Config& config) {
     LiveInput input;
-    std::shared_ptr<live::LivePoses> fromLog;
+    const auto fromLog = choosePosesAsTheyCome(request, config, input);
     const auto poses = request.shared.poses.request();
-    if (request.from.track.empty() && !poses.fixed) {
-        fromLog = std::make_shared<live::LivePoses>(config.pose.maxAge);
-        input.poses = fromLog;
-        input.posesDescription = "robot poses, as the log gets them";
-    } else {
-        choosePosesWithoutLog(request, config, input);
-    }
     if (!std::filesystem::exists(request.from.source)) {
         throw std::runtime_error(
             fmt::format("cannot open {}: it is not there; start what writes "
@@ -102,6 +125,7 @@ LiveInput followed(const LiveRequest& request, const rawlog::Config& config) {
 
 LiveInput openLiveInput(const LiveRequest& request, const rawlog::Config& config) {
     const auto port = request.from.udpPort();
+    if (request.from.isGrabberFile()) return grabbed(request, config);
     if (!port && !request.from.isCapture()) {
         return request.from.follow ? followed(request, config) : replay(request, config);
     }

@@ -59,4 +59,8 @@ bool SourceOptions::isCapture() const {
     return extension == ".pcap" || extension == ".pcapng";
 }
 
+bool SourceOptions::isGrabberFile() const {
+    return std::filesystem::path(source).extension() == ".ini";
+}
+
 }  // namespace offmap::app

@@ -11,7 +11,7 @@ namespace offmap::app {
 
 /// Where scans come from while one watches, as a command line says it.
 struct SourceOptions {
-    std::string source;       ///< a rawlog, a capture, or "udp" with or without ":PORT"
+    std::string source;       ///< a rawlog, a capture, an INI file, or "udp" or "udp:PORT"
     std::string track;        ///< "x,y,yaw_deg"; empty: poses are not tracked
     std::string speed = "1";  ///< a factor, or "max"
     bool follow = false;
@@ -25,6 +25,8 @@ struct SourceOptions {
     /// Of "udp:2368"; none for another source. \throw UsageError for a port that is none
     std::optional<uint16_t> udpPort() const;
     bool isCapture() const;
+    /// An INI file that rawlog-grabber takes.
+    bool isGrabberFile() const;
 };
 
 }  // namespace offmap::app

@@ -69,6 +69,17 @@ TEST_F(Live, endsAfterTheTimeThatItIsGiven) {
     EXPECT_THAT(run.out, HasSubstr("of 0 that came"));
 }
 
+TEST_F(Live, saysWhatASensorOfAnIniFileIsInTroubleWith) {
+    const Path ini = folder_ / "sensors.ini";
+    writeFile(ini,
+              "[Top]\ndriver = CVelodyneScanner\nmodel = VLP16\nprocess_rate = 1000\n"
+              "pcap_input = /nowhere.pcap\n");
+    const RunResult run = live(ini, {"--pose", "2,2.5,17", "--seconds", "0.5"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("1 sensor"));
+    EXPECT_THAT(run.out, HasSubstr("[Top] Error opening PCAP file: '/nowhere.pcap"));
+}
+
 TEST_F(Live, refusesWhatCannotBeMeant) {
     const Arguments none;
     const auto refused = [&](const std::string& source, const Arguments& more, int exitCode,
@@ -83,6 +94,9 @@ TEST_F(Live, refusesWhatCannotBeMeant) {
     refused(folder_ / "none.pcap", {"--pose", "0,0,0"}, 2, "none.pcap");
     refused(folder_ / "none.rawlog", none, 2, "none.rawlog");
     refused(folder_ / "none.rawlog", {"--follow"}, 2, "none.rawlog");
+    refused(folder_ / "none.ini", none, 2, "none.ini");
+    writeFile(folder_ / "bad.ini", "[Top]\ndriver = CNoSuchThing\nprocess_rate = 1\n");
+    refused(folder_ / "bad.ini", none, 2, "[Top]: driver = CNoSuchThing");
     refused(map_, none, 2, "not a rawlog");
     refused("udp", {"--pose", "0,0,0", "--speed", "-1"}, 1, "--speed");
 }

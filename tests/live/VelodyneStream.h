@@ -4,37 +4,12 @@
 #include "../support/LogFiles.h"
 #include "../support/VelodyneMaker.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 namespace offmap::test {
-
-/// The packets of a real VLP-16's turn, over and over, as if it had gone on turning: the stamps go
-/// on at the sensor's rate.
-class VelodyneStream {
- public:
-    static constexpr double period = 1327.104;  // [us] from packet to packet
-
-    VelodyneStream() {
-        const auto log = observationsOf("/usr/share/mrpt/datasets/test_velodyne_VLP16.rawlog");
-        const auto scan =
-            std::dynamic_pointer_cast<mrpt::obs::CObservationVelodyneScan>(log.front());
-        packets_ = scan->scan_packets;
-    }
-
-    size_t packetsPerTurn() const { return packets_.size(); }
-
-    /// Packet number n since the stream began.
-    VelodynePacket packet(uint64_t n) const {
-        VelodynePacket packet = packets_[n % packets_.size()];
-        const double stamp = std::fmod(static_cast<double>(n) * period, 3.6e9);  // of the hour
-        putBytes(packet, 12 * velodyneBlockBytes, static_cast<uint32_t>(stamp));
-        return packet;
-    }
-
- private:
-    std::vector<VelodynePacket> packets_;
-};
 
 /// [2 mm] The ranges of a packet in the order they stand in it.
 inline std::vector<uint16_t> rangesOf(const VelodynePacket& packet) {
@@ -49,5 +24,49 @@ inline std::vector<uint16_t> rangesOf(const VelodynePacket& packet) {
     }
     return ranges;
 }
+
+/// The packets of a real VLP-16's turn, over and over, as if it had gone on turning: the stamps go
+/// on at the sensor's rate, the azimuths by 1/75 of a turn each packet.
+class VelodyneStream {
+ public:
+    static constexpr double period = 1327.104;  // [us] from packet to packet
+
+    VelodyneStream() {
+        const auto log = observationsOf("/usr/share/mrpt/datasets/test_velodyne_VLP16.rawlog");
+        const auto scan =
+            std::dynamic_pointer_cast<mrpt::obs::CObservationVelodyneScan>(log.front());
+        packets_ = scan->scan_packets;
+        std::memcpy(&first_, reinterpret_cast<const char*>(packets_.data()) + 2, sizeof first_);
+    }
+
+    size_t packetsPerTurn() const { return packets_.size(); }
+
+    /// Packet number n since the stream began.
+    VelodynePacket packet(uint64_t n) const {
+        VelodynePacket packet = packets_[n % packets_.size()];
+        const double stamp = std::fmod(static_cast<double>(n) * period, 3.6e9);  // of the hour
+        putBytes(packet, blocks * velodyneBlockBytes, static_cast<uint32_t>(stamp));
+        for (size_t block = 0; block < blocks; ++block) {
+            const uint64_t gone = (n * blocks + block) % (blocks * packets_.size());
+            const uint64_t rotation = first_ + gone * circle / (blocks * packets_.size());
+            putBytes(packet, block * velodyneBlockBytes + 2,
+                     static_cast<uint16_t>(rotation % circle));
+        }
+        return packet;
+    }
+
+    /// Of packet n, that it holds.
+    size_t returns(uint64_t n) const {
+        const auto ranges = rangesOf(packets_[n % packets_.size()]);
+        return ranges.size() - static_cast<size_t>(std::count(ranges.begin(), ranges.end(), 0));
+    }
+
+ private:
+    static constexpr uint64_t circle = 36000;  // [1/100 deg]
+    static constexpr size_t blocks = 12;       // of a packet
+
+    std::vector<VelodynePacket> packets_;
+    uint16_t first_ = 0;  // [1/100 deg] the first packet's rotation
+};
 
 }  // namespace offmap::test

@@ -5,10 +5,12 @@ namespace offmap::app {
 
 void LiveCommandOptions::addTo(CLI::App& command) {
     command
-        .add_option("SOURCE", from.source,
-                    "A rawlog, the capture of a Velodyne (.pcap), or udp for one on the network")
+        .add_option(
+            "SOURCE", from.source,
+            "A rawlog, the capture of a Velodyne (.pcap), sensors as rawlog-grabber takes them "
+            "(.ini), or udp for a Velodyne on the network")
         ->required()
-        ->type_name("LOG|F.pcap|udp[:PORT]");
+        ->type_name("LOG|F.pcap|F.ini|udp[:PORT]");
     shared.addTo(command);
     from.addTo(command);
     command.add_option("--waiting", waiting, "Turns that may wait; then the oldest is dropped (2)")

@@ -39,8 +39,8 @@ std::string runningLineOf(const live::LiveFigures& figures, double seconds) {
     }
     if (figures.source.state != live::SourceState::Running) {
         line += fmt::format("  {}", toString(figures.source.state));
-        if (!figures.source.message.empty()) line += ": " + figures.source.message;
     }
+    if (!figures.source.message.empty()) line += ": " + figures.source.message;
     return line;
 }
 
@@ -54,6 +54,14 @@ std::string liveSummaryOf(const live::LiveFigures& figures) {
     if (figures.source.packetsMissing > 0) {
         text += fmt::format("missing {:>12}   packets, by the stamps of the others\n",
                             grouped(figures.source.packetsMissing));
+    }
+    if (figures.source.connectionsLost > 0) {
+        text += fmt::format("stalled {:>12}   times, after it had run\n",
+                            grouped(figures.source.connectionsLost));
+    }
+    if (figures.source.state == live::SourceState::Stalled) {
+        text += fmt::format("source  {:>12}   {}\n", toString(figures.source.state),
+                            figures.source.message);
     }
     return text;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExternalFile.h"
-#include "ShortReason.h"
 
 #include <offmap/rawlog/PointCloudScan.h>
+#include <offmap/rawlog/ShortReason.h>
 
 #include <fmt/format.h>
 #include <mrpt/obs/CObservationPointCloud.h>

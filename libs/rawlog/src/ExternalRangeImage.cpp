@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExternalFile.h"
-#include "ShortReason.h"
 
 #include <offmap/rawlog/ImagePoints.h>
 #include <offmap/rawlog/RangeImageScan.h>
+#include <offmap/rawlog/ShortReason.h>
 
 #include <fmt/format.h>
 #include <mrpt/io/CFileGZInputStream.h>

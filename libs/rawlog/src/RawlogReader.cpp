@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShortReason.h"
-
 #include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/RegisterClasses.h>
+#include <offmap/rawlog/ShortReason.h>
 
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CObservation.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShortReason.h"
+#include <offmap/rawlog/ShortReason.h>
 
 #include <algorithm>
 #include <cctype>
@@ -12,7 +12,7 @@ namespace offmap::rawlog {
 std::string shortReason(const std::exception& error) {
     if (dynamic_cast<const std::bad_alloc*>(&error)) return "a size in it cannot be true";
     std::string_view text = error.what();
-    for (std::string_view mark : {"Original exception:", "Message:"}) {
+    for (std::string_view mark : {"==== MRPT exception ====", "Original exception:", "Message:"}) {
         const size_t at = text.rfind(mark);
         if (at != std::string_view::npos) text.remove_prefix(at + mark.size());
     }
