@@ -98,11 +98,12 @@ void addScan(std::vector<FigureRow>& rows, const live::LiveFrame* frame) {
 void addPace(std::vector<FigureRow>& rows, const live::LiveFigures& figures,
              const live::LiveFrame* frame) {
     const auto now = frame ? threeDigits(frame->reduced.record.milliseconds) : none;
-    rows.push_back({"reduce", fmt::format("{} ms (median {})", now,
-                                          threeDigits(figures.totals.milliseconds.quantile(0.5)))});
+    const auto& totals = figures.totals.milliseconds;
     rows.push_back(
-        {"latency", fmt::format("{} ms (p99 {})", threeDigits(figures.latency.quantile(0.5)),
-                                threeDigits(figures.latency.quantile(0.99)))});
+        {"reduce now, median", fmt::format("{}, {} ms", now, threeDigits(totals.quantile(0.5)))});
+    rows.push_back(
+        {"latency median, p99", fmt::format("{}, {} ms", threeDigits(figures.latency.quantile(0.5)),
+                                            threeDigits(figures.latency.quantile(0.99)))});
     rows.push_back({"turns per second", threeDigits(figures.turnsPerSecond)});
     rows.push_back(lossRow("turns dropped", figures.turnsDropped));
     rows.push_back(lossRow("packets missing", figures.source.packetsMissing));

@@ -21,7 +21,7 @@ constexpr double span = 60;              // [s] shown
 constexpr double longestPause = 2;       // [s] between samples that belong together
 constexpr size_t mostSamples = 1 << 15;  // 500 turns per second for a minute
 // [DIP]
-constexpr int axisWidth = 50, rightMargin = 12, headHeight = 18, gapBelow = 5, secondsHeight = 18;
+constexpr int axisWidth = 50, rightMargin = 16, headHeight = 18, gapBelow = 5, secondsHeight = 18;
 
 std::string textOf(const Series& series, const char* form) {
     const auto last = series.last();

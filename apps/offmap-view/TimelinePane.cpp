@@ -17,7 +17,7 @@ namespace offmap::window {
 namespace {
 
 // [DIP] around the strip
-constexpr int nameWidth = 112, scaleWidth = 48, topMargin = 7, numberHeight = 18;
+constexpr int nameWidth = 136, scaleWidth = 50, topMargin = 7, numberHeight = 24;
 constexpr double joinedWidth = 3;  // [px] less than that without a turn is no gap
 
 wxColour seeThrough(const wxColour& colour, unsigned char alpha) {
@@ -26,7 +26,7 @@ wxColour seeThrough(const wxColour& colour, unsigned char alpha) {
 
 }  // namespace
 
-TimelinePane::TimelinePane(wxWindow* parent) : DrawnPane(parent, {320, 76}) {
+TimelinePane::TimelinePane(wxWindow* parent) : DrawnPane(parent, {400, 78}) {
     SetWindowStyle(GetWindowStyle() | wxWANTS_CHARS);
     for (const auto& type : {wxEVT_LEFT_DOWN, wxEVT_LEFT_UP, wxEVT_MOTION}) {
         Bind(type, &TimelinePane::onMouse, this);
@@ -99,14 +99,14 @@ void TimelinePane::drawSuspects(wxGraphicsContext& canvas, const wxRect2DDouble&
     const double from = static_cast<double>(history_.shownFrom()) - 0.5;
     const double to = static_cast<double>(history_.shownTo()) - 0.5;
     const double width = std::max(strip.m_width / (to - from), 2.0);
-    const double height = FromDIP(4);
+    const double top = strip.GetBottom() + FromDIP(1), height = FromDIP(4);
     canvas.SetPen(*wxTRANSPARENT_PEN);
     canvas.SetBrush(wxBrush(theme().bad));
     for (const CurveColumn& column : history_.suspects().columns(
              from, to, static_cast<size_t>(strip.m_width), static_cast<double>(to - from))) {
         if (column.high == 0) continue;
         const double middle = strip.m_x + static_cast<double>(column.column) + 0.5;
-        canvas.DrawRectangle(middle - 0.5 * width, strip.GetBottom() - height, width, height);
+        canvas.DrawRectangle(middle - 0.5 * width, top, width, height);
     }
 }
 
@@ -144,7 +144,7 @@ void TimelinePane::drawNames(wxGraphicsContext& canvas, const wxRect2DDouble& st
 
 void TimelinePane::drawNumbers(wxGraphicsContext& canvas, const wxRect2DDouble& strip) {
     canvas.SetFont(smallFont(*this), theme().subtle);
-    const double y = strip.GetBottom() + FromDIP(9);
+    const double y = strip.GetBottom() + FromDIP(14);
     const auto most = static_cast<size_t>(strip.m_width / FromDIP(80)) + 1;
     canvas.SetPen(wxPen(theme().grid, 1));
     for (const AxisTick& tick :
@@ -198,11 +198,13 @@ void TimelinePane::explainTurn(uint64_t number) {
     if (number == explained_) return;
     explained_ = number;
     const auto figures = history_.at(number);
-    SetToolTip(wxString::FromUTF8(
-        figures ? fmt::format("turn {}: {:.1f} % removed, {:.2f} ms{}", rawlog::grouped(number),
-                              100 * figures->removedShare, figures->milliseconds,
-                              figures->suspect ? ", does not fit the map" : "")
-                : fmt::format("turn {}", rawlog::grouped(number))));
+    const char* about = history_.turnsPerPlace() > 1 ? "about turn" : "turn";
+    const std::string name = fmt::format("{} {}", about, rawlog::grouped(number));
+    SetToolTip(
+        wxString::FromUTF8(figures ? fmt::format("{}: {:.1f} % removed, {:.2f} ms{}", name,
+                                                 100 * figures->removedShare, figures->milliseconds,
+                                                 figures->suspect ? ", does not fit the map" : "")
+                                   : name));
 }
 
 }  // namespace offmap::window

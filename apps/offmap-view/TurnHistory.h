@@ -19,7 +19,7 @@ struct TurnFigures {
 /// logs that are longer than it remembers, turns beside each other share a place.
 class TurnHistory {
  public:
-    static constexpr uint64_t mostRemembered = uint64_t{1} << 18;
+    static constexpr uint64_t mostRemembered = uint64_t{1} << 17;
     static constexpr uint64_t mostLive = 3000, leastLive = 300;
 
     /// Forgets all. \param count of the log; 0: live
