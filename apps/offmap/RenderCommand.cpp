@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderCommand.h"
 
+#include "PlainText.h"
+#include "RenderOptions.h"
 #include "SensorLabels.h"
 #include "input/Console.h"
 #include "input/Guarded.h"
 #include "input/NamedFiles.h"
-#include "input/SharedOptions.h"
 #include "input/UsageError.h"
 
 #include <offmap/rawlog/EntryPlace.h>
 #include <offmap/rawlog/GuardedRun.h>
+#include <offmap/rawlog/Intensities.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/ScanClasses.h>
 #include <offmap/rawlog/TurnReducer.h>
@@ -22,30 +24,26 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace offmap::app {
 
 namespace {
 
-struct RenderOptions {
-    std::filesystem::path input, output;
-    SharedOptions shared;
-    uint64_t entry = 0;
-    bool force = false;
-
-    void addTo(CLI::App& command) {
-        command.add_option("IN", input, "Rawlog; it is only read")->required()->type_name("FILE");
-        command.add_option("-o,--out", output, "Picture")->required()->type_name("F.png");
-        shared.addTo(command);
-        command
-            .add_option("--entry", entry, "The first scan at or after this entry of the log (0)")
-            ->type_name("N");
-        command.add_flag("--force", force, "Replace an existing picture");
+/// \throw std::runtime_error if the scan tells none
+std::vector<float> requireIntensities(const rawlog::Turn& turn, const rawlog::ScanClass& scanClass,
+                                      const core::OrganizedScan& scan) {
+    std::vector<float> intensities = rawlog::pointIntensitiesOf(turn, scanClass, scan);
+    if (intensities.empty()) {
+        throw std::runtime_error(
+            fmt::format("the scans of '{}' tell no intensities: choose another --colour-by",
+                        printable(turn.front()->sensorLabel)));
     }
-};
+    return intensities;
+}
 
 void render(const RenderOptions& options, const rawlog::Config& config, const core::LineMap& map,
-            rawlog::GuardedStatus& status) {
+            view::FigureOptions figure, rawlog::GuardedStatus& status) {
     rawlog::RawlogReader first(options.input), second(options.input);
     const rawlog::LogSurvey survey =
         rawlog::surveyLog(first, config, std::numeric_limits<uint64_t>::max(),
@@ -64,11 +62,11 @@ void render(const RenderOptions& options, const rawlog::Config& config, const co
     const mrpt::obs::CObservation& scan = *turn->front();
     const auto* scanClass = rawlog::scanClassOf(scan, config.sensorOf(scan.sensorLabel));
     const rawlog::ReducedTurn reduced = reducer.reduce(*turn, *scanClass);
-    view::FigureOptions figure;
-    figure.title = options.input.filename().string();
-    figure.fallbackSensorInMap = mrpt::poses::CPose3D();
-    view::writePng(view::figureOf(reduced.organized.scan, reducer.result(), map, figure),
-                   options.output);
+    const core::OrganizedScan& organized = reduced.organized.scan;
+    if (figure.colourBy == view::ColourBy::Intensity) {
+        figure.intensities = requireIntensities(*turn, *scanClass, organized);
+    }
+    view::writePng(view::figureOf(organized, reducer.result(), map, figure), options.output);
     if (!poses.warning.empty()) say(stderr, "warning: {}\n", poses.warning);
     say(stdout, "wrote   {}\n", options.output.string());
     for (const std::string& warning : warnings) say(stderr, "warning: {}\n", warning);
@@ -84,6 +82,7 @@ int renderGuarded(const RenderOptions& options) {
     if (options.output.extension() != ".png") {
         throw UsageError(options.output.string() + ": the picture is a PNG; name it so, .png");
     }
+    const view::FigureOptions figure = options.figure();
     const rawlog::Config config = options.shared.readConfig();
     const LoadedMap map = options.shared.readMap(config);
     for (const std::string& warning : map.warnings) say(stderr, "warning: {}\n", warning);
@@ -92,7 +91,7 @@ int renderGuarded(const RenderOptions& options) {
     }
     const rawlog::GuardedOutcome outcome =
         reportingErrorsGuarded([&](rawlog::GuardedStatus& status) {
-            render(options, config, map.lines, status);
+            render(options, config, map.lines, figure, status);
             return static_cast<int>(exitDone);
         });
     if (outcome.kind == Kind::Finished) return outcome.exitCode;

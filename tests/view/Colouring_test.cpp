@@ -66,6 +66,7 @@ TEST(Colouring, byResidualIsRedBehindTheWall) {
     const auto colours = scan.by(ColourBy::Residual);
     EXPECT_EQ(colours[0], diverging(0));
     EXPECT_EQ(colours[11], diverging(1)) << "5 standard deviations and more";
+    EXPECT_EQ(colours[22], scan.palette.rest) << "on no segment";
     EXPECT_GT(diverging(1).R, diverging(1).B);
     EXPECT_GT(diverging(-1).B, diverging(-1).R);
 }
@@ -82,11 +83,29 @@ TEST(Colouring, byHeightRisesAlongAPole) {
 TEST(Colouring, byIntensityIsGreyWhereThatIsUnknown) {
     const Coloured scan;
     std::vector<float> intensities(33, 0.5F);
+    intensities[0] = 0.25F;
     intensities[1] = std::nanf("");
     const auto colours = scan.by(ColourBy::Intensity, intensities);
-    EXPECT_EQ(colours[0], sequential(0.5));
+    EXPECT_EQ(colours[0], sequential(0.5)) << "half as bright as the brightest";
+    EXPECT_EQ(colours[2], sequential(1));
     EXPECT_EQ(colours[1], scan.palette.rest);
     EXPECT_EQ(scan.by(ColourBy::Intensity)[0], scan.palette.rest);
+}
+
+TEST(Colouring, rangesLeaveOutTheOutermost) {
+    PlacedReturns returns;
+    for (int i = 0; i < 100; ++i) returns.points.emplace_back(0.0F, 0.0F, static_cast<float>(i));
+    returns.points[7].z = std::nanf("");
+    // 99 heights: the lowest, 0, and the highest, 99, are left out.
+    EXPECT_EQ(colouredHeights(returns), core::Interval(1, 98));
+    EXPECT_EQ(colouredHeights({}), core::Interval(0, 0));
+    EXPECT_EQ(colouredIntensities({}), core::Interval(0, 1));
+    EXPECT_EQ(colouredIntensities(std::vector<float>{0, std::nanf("")}), core::Interval(0, 1));
+}
+
+TEST(Colouring, whatIsNoNumberHasAColour) {
+    EXPECT_EQ(sequential(std::nan("")), sequential(0));
+    EXPECT_EQ(diverging(std::nan("")), diverging(-1));
 }
 
 }  // namespace

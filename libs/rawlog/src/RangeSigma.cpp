@@ -1,30 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/Intensities.h>
 #include <offmap/rawlog/RangeSigma.h>
 
 #include <cmath>
-#include <limits>
 
 namespace offmap::rawlog {
-
-namespace {
-
-/// Of all slots of a turn; empty if no observation tells any.
-std::vector<float> intensitiesOf(const Turn& turn, const ScanClass& scanClass) {
-    std::vector<float> all;
-    bool any = false;
-    for (const auto& obs : turn) {
-        const std::vector<float> own = scanClass.intensities(*obs);
-        any = any || !own.empty();
-        all.insert(all.end(), own.begin(), own.end());
-        if (own.empty()) {
-            all.insert(all.end(), scanClass.slotCount(*obs),
-                       std::numeric_limits<float>::quiet_NaN());
-        }
-    }
-    return any ? all : std::vector<float>();
-}
-
-}  // namespace
 
 double rangeSigmaAt(std::span<const double> table, double intensity) {
     size_t above = 0;  // the first pair that is brighter
@@ -40,7 +20,7 @@ void findRangeSigmas(TurnScan& out, const Turn& turn, const ScanClass& scanClass
                      const SensorConfig& config, double unknown) {
     out.scan.rangeSigma.clear();
     if (config.rangeSigmaByIntensity.empty()) return;
-    const std::vector<float> intensities = intensitiesOf(turn, scanClass);
+    const std::vector<float> intensities = slotIntensitiesOf(turn, scanClass);
     if (intensities.empty()) return;
     out.scan.rangeSigma.reserve(out.scan.points.size());
     for (const uint32_t slot : out.scan.sourceIndex) {

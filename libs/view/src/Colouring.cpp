@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 namespace offmap::view {
 
@@ -32,6 +34,17 @@ std::vector<TColor> forEach(const PlacedReturns& returns, const Colour& colour) 
     return colours;
 }
 
+/// But the 2 % at either end.
+std::optional<core::Interval> withoutOutermost(std::vector<float>& values) {
+    if (values.empty()) return std::nullopt;
+    const auto cut = static_cast<std::ptrdiff_t>(values.size() / 50);
+    const auto at = [&](std::vector<float>::iterator place) {
+        std::nth_element(values.begin(), place, values.end());
+        return static_cast<double>(*place);
+    };
+    return core::Interval(at(values.begin() + cut), at(values.end() - 1 - cut));
+}
+
 std::vector<TColor> byHeight(const PlacedReturns& returns) {
     if (returns.points.empty()) return {};
     const core::Interval heights = colouredHeights(returns);
@@ -48,12 +61,16 @@ core::Interval colouredHeights(const PlacedReturns& returns) {
     heights.reserve(returns.points.size());
     for (const auto& point : returns.points)
         if (std::isfinite(point.z)) heights.push_back(point.z);
-    if (heights.empty()) return {0, 0};
-    const auto cut = static_cast<std::ptrdiff_t>(heights.size() / 50);
-    const auto low = heights.begin() + cut, high = heights.end() - 1 - cut;
-    std::nth_element(heights.begin(), low, heights.end());
-    std::nth_element(low, high, heights.end());
-    return {static_cast<double>(*low), static_cast<double>(*high)};
+    return withoutOutermost(heights).value_or(core::Interval(0, 0));
+}
+
+core::Interval colouredIntensities(std::span<const float> intensities) {
+    std::vector<float> known;
+    known.reserve(intensities.size());
+    std::ranges::copy_if(intensities, std::back_inserter(known),
+                         [](float intensity) { return std::isfinite(intensity); });
+    const auto most = withoutOutermost(known);
+    return {0, most && most->max() > 0 ? most->max() : 1.0};
 }
 
 std::vector<TColor> coloursOf(const PlacedReturns& returns, const core::OrganizedScan& scan,
@@ -63,16 +80,20 @@ std::vector<TColor> coloursOf(const PlacedReturns& returns, const core::Organize
     const auto byLabel = [&](size_t i) { return palette.of(returns.labels[i]); };
     if (colourBy == ColourBy::Label) return forEach(returns, byLabel);
     if (colourBy == ColourBy::Intensity) {
+        const double brightest = colouredIntensities(intensities).max();
         return forEach(returns, [&](size_t i) {
             const uint32_t point = returns.indices[i];
             const bool known = point < intensities.size() && std::isfinite(intensities[point]);
-            return known ? sequential(static_cast<double>(intensities[point])) : palette.rest;
+            return known ? sequential(static_cast<double>(intensities[point]) / brightest)
+                         : palette.rest;
         });
     }
     const std::vector<uint32_t> segments = segmentOfEach(result, scan.points.size());
     return forEach(returns, [&](size_t i) {
         const uint32_t segment = segments[returns.indices[i]];
-        if (segment == none) return byLabel(i);
+        if (segment == none) {
+            return colourBy == ColourBy::Residual ? palette.rest : byLabel(i);
+        }
         const core::SegmentMatch& match = result.matches[segment];
         if (colourBy == ColourBy::Residual) {
             return match.predicted ? diverging(match.residual / colouredResidual) : palette.rest;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FigureSheet.h"
+
 #include <offmap/view/Figure.h>
+#include <offmap/view/PoseMarks.h>
 #include <offmap/view/Render.h>
 
 #include <fmt/format.h>
@@ -11,59 +14,71 @@
 namespace offmap::view {
 namespace {
 
-using core::PointLabel;
 using mrpt::img::CImage;
+using mrpt::opengl::CSetOfObjects;
 
-constexpr uint32_t barHeight = 44;  // [px] the line of text on top
-constexpr int gap = 2;              // [px] between the panels
-constexpr uint32_t samples = 2;     // of a pixel, each way: smooth points and lines
+constexpr uint32_t gap = 2;      // [px] between the pictures
+constexpr uint32_t samples = 2;  // of a pixel, each way: smooth points and lines
+
+/// What is to be seen, by every picture of it.
+struct Subject {
+    const core::OrganizedScan& scan;
+    const core::ReductionResult& result;
+    const core::LineMap& map;
+    const PlacedReturns& returns;
+    mrpt::math::TBoundingBox extent;
+    SceneOptions options;
+
+    CSetOfObjects::Ptr poses() const;
+    CSetOfObjects::Ptr scene(const Camera& camera) const;
+};
+
+/// Without a pose, a ball where the scan stands.
+CSetOfObjects::Ptr Subject::poses() const {
+    const auto size = extent.max - extent.min;
+    const double arrow = 0.06 * std::max(size.x, size.y);
+    auto marks = poseMarksOf(scan, result, arrow, options.palette);
+    return marks->empty() ? sensorOf(returns, extent, options) : marks;
+}
+
+/// From above, the poses stand over returns of the ceiling, as far as the camera is.
+CSetOfObjects::Ptr Subject::scene(const Camera& camera) const {
+    SceneOptions withoutPoses = options;
+    withoutPoses.showPoses = false;
+    auto scene = sceneOf(returns, map, extent, withoutPoses);
+    if (!options.showPoses) return scene;
+    const auto marks = poses();
+    if (camera.shorterSide > 0 && !returns.sensorPath.empty()) {
+        const double eye = camera.target.z + 2 * camera.shorterSide;
+        const double z = returns.sensorPath[returns.sensorPath.size() / 2].z();
+        marks->setLocation(mrpt::math::TPoint3D(marks->getPose().x, marks->getPose().y,
+                                                marks->getPose().z + 0.8 * (eye - z)));
+    }
+    scene->insert(marks);
+    return scene;
+}
 
 /// A picture of the scene, drawn larger and scaled down.
-CImage panel(const mrpt::opengl::CSetOfObjects::Ptr& scene, const Camera& camera, uint32_t width,
-             uint32_t height, const Palette& palette) {
-    const CImage large =
-        render(scene, camera, samples * width, samples * height, palette.background);
+CImage picture(const Subject& subject, const Camera& camera, uint32_t width, uint32_t height) {
+    const CImage large = render(subject.scene(camera), camera, samples * width, samples * height,
+                                subject.options.palette.background);
     CImage image;
     large.scaleImage(image, width, height, mrpt::img::IMG_INTERP_AREA);
     return image;
 }
 
-/// A length of 1, 2 or 5 times a power of ten that is at most `length`. [m]
-double roundLength(double length) {
-    const double power = std::pow(10.0, std::floor(std::log10(length)));
-    for (const double factor : {5.0, 2.0})
-        if (factor * power <= length) return factor * power;
-    return power;
+SceneOptions enlarged(SceneOptions options, double unit) {
+    options.pointSize *= static_cast<float>(samples * std::max(1.0, unit));
+    options.wallLineWidth *= static_cast<float>(samples * std::max(1.0, unit));
+    return options;
 }
 
-void drawScale(CImage& image, int left, int bottom, double pixelsPerMetre, const Palette& palette) {
-    constexpr double wanted = 160;  // [px]
-    const double length = roundLength(wanted / pixelsPerMetre);
-    const int right = left + static_cast<int>(std::lround(length * pixelsPerMetre));
-    image.filledRectangle(left, bottom - 2, right, bottom, palette.text);
-    image.textOut(left, bottom - 22, fmt::format("{:g} m", length), palette.text);
-}
-
-struct Entry {
-    PointLabel label;
-    const char* meaning;
-};
-
-void drawLegend(CImage& image, const PlacedReturns& returns, const Palette& palette) {
-    constexpr int glyph = 9, swatch = 12, top = 15;  // [px]
-    int right = static_cast<int>(image.getWidth()) - 16;
-    for (const auto& [label, meaning] :
-         {Entry{PointLabel::NotOnVerticalSegment, "not on a vertical segment"},
-          Entry{PointLabel::Orphan, "orphan, removed"}, Entry{PointLabel::Kept, "kept segment"},
-          Entry{PointLabel::Mapped, "mapped, removed"}}) {
-        const auto count = std::count(returns.labels.begin(), returns.labels.end(), label);
-        if (label == PointLabel::Orphan && count == 0) continue;
-        const std::string text = fmt::format("{} {}", meaning, count);
-        const int left = right - glyph * static_cast<int>(text.size());
-        image.textOut(left, top, text, palette.text);
-        image.filledRectangle(left - 8 - swatch, top + 2, left - 8, top + 2 + swatch,
-                              palette.of(label));
-        right = left - 8 - swatch - 24;
+void requireSize(const FigureOptions& options) {
+    constexpr uint32_t least = 176, most = 8000;
+    if (std::min(options.width, options.height) < least ||
+        std::max(options.width, options.height) > most) {
+        throw std::invalid_argument(
+            fmt::format("a figure takes {0} x {0} to {1} x {1} pixels", least, most));
     }
 }
 
@@ -71,40 +86,41 @@ void drawLegend(CImage& image, const PlacedReturns& returns, const Palette& pale
 
 CImage figureOf(const core::OrganizedScan& scan, const core::ReductionResult& result,
                 const core::LineMap& map, const FigureOptions& options) {
-    if (options.width < 4 * barHeight || options.height < 4 * barHeight)
-        throw std::invalid_argument(
-            fmt::format("figureOf: a figure takes at least {0} x {0} pixels", 4 * barHeight));
+    requireSize(options);
     const Palette& palette = options.scene.palette;
-    const PlacedReturns returns = placedReturns(scan, result.labels, options.fallbackSensorInMap);
+    PlacedReturns returns = placedReturns(scan, result.labels, options.fallbackSensorInMap);
+    if (options.colourBy != ColourBy::Label) {
+        returns.colours =
+            coloursOf(returns, scan, result, options.colourBy, palette, options.intensities);
+    }
+    FigureSheet sheet(options.width, options.height, palette);
+    const uint32_t top = sheet.heading(options.title, legendOf(returns, scan, result, options));
+    if (top > options.height / 2) {
+        throw std::invalid_argument(fmt::format(
+            "a figure of {} x {} pixels is too small for its legend: it takes {} pixels of height "
+            "at this width",
+            options.width, options.height, 2 * top));
+    }
     const auto extent = extentOf(returns);
-    SceneOptions large = options.scene;
-    large.pointSize *= samples;
-    large.wallLineWidth *= samples;
-    const auto scene = [&] { return sceneOf(returns, map, extent, large); };
-
-    const uint32_t height = options.height - barHeight;
-    const uint32_t leftWidth = options.width * 11 / 20,
-                   rightWidth = options.width - leftWidth - gap;
+    const Subject subject{scan,    result, map,
+                          returns, extent, enlarged(options.scene, sheet.unit())};
+    const uint32_t height = options.height - top;
+    const bool both = options.view == FigureView::Both;
+    const uint32_t left = both ? options.width * 11 / 20 : options.width;  // of the perspective
     const auto aspect = [&](uint32_t width) { return double(width) / height; };
-    const Camera aside =
-        Camera::perspective(extent, aspect(leftWidth), options.azimuth, options.elevation);
-    const Camera above = Camera::top(extent, aspect(rightWidth));
-
-    CImage figure(static_cast<int32_t>(options.width), static_cast<int32_t>(options.height),
-                  mrpt::img::CH_RGB);
-    figure.filledRectangle(0, 0, static_cast<int>(options.width), static_cast<int>(options.height),
-                           palette.background);
-    const int right = static_cast<int>(leftWidth) + gap;
-    figure.drawImage(0, barHeight, panel(scene(), aside, leftWidth, height, palette));
-    figure.drawImage(right, barHeight, panel(scene(), above, rightWidth, height, palette));
-    figure.filledRectangle(right - gap, barHeight, right - 1, static_cast<int>(options.height),
-                           palette.rest);
-    figure.selectTextFont("9x15");
-    figure.textOut(16, 15, options.title, palette.text);
-    drawLegend(figure, returns, palette);
-    drawScale(figure, right + 16, static_cast<int>(options.height) - 16,
-              std::min(rightWidth, height) / above.shorterSide, palette);
-    return figure;
+    if (options.view != FigureView::Top) {
+        const Camera aside =
+            Camera::perspective(extent, aspect(left), options.azimuth, options.elevation);
+        sheet.paste(picture(subject, aside, left, height), 0, top);
+    }
+    if (both) sheet.fill(palette.rest, left, top, gap, height);
+    if (options.view != FigureView::Perspective) {
+        const uint32_t x = both ? left + gap : 0, width = options.width - x;
+        const Camera above = Camera::top(extent, aspect(width));
+        sheet.paste(picture(subject, above, width, height), x, top);
+        sheet.scale(x, options.height, std::min(width, height) / above.shorterSide);
+    }
+    return sheet.image();
 }
 
 }  // namespace offmap::view

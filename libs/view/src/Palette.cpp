@@ -44,19 +44,20 @@ TColor Palette::of(core::PointLabel label) const {
 }
 
 TColor Palette::of(core::KeepReason reason) const {
+    const bool onLight = background.R > 128;
     switch (reason) {
         case core::KeepReason::None:
             break;
         case core::KeepReason::InFrontOfWall:
             return kept;
         case core::KeepReason::BehindWall:
-            return {96, 165, 250};  // blue
+            return onLight ? TColor{219, 39, 119} : TColor{244, 114, 182};  // pink
         case core::KeepReason::NoWallOnRay:
-            return {192, 132, 252};  // violet
+            return onLight ? TColor{147, 51, 234} : TColor{192, 132, 252};  // violet
         case core::KeepReason::AmbiguousCorner:
-            return {250, 204, 21};  // yellow
+            return onLight ? TColor{161, 98, 7} : TColor{250, 204, 21};  // yellow
         case core::KeepReason::NoPose:
-            return {251, 146, 60};  // orange
+            return onLight ? TColor{234, 88, 12} : TColor{251, 146, 60};  // orange
     }
     return rest;
 }
@@ -75,15 +76,15 @@ Palette Palette::light() {
 }
 
 TColor sequential(double share) {
-    static const std::array<TColor, 5> stops{TColor{68, 20, 90}, TColor{60, 82, 139},
+    static const std::array<TColor, 5> stops{TColor{98, 44, 138}, TColor{60, 82, 139},
                                              TColor{33, 145, 140}, TColor{94, 201, 98},
                                              TColor{245, 225, 60}};
     return along(stops, share);
 }
 
 TColor diverging(double share) {
-    static const std::array<TColor, 5> stops{TColor{30, 90, 200}, TColor{120, 170, 235},
-                                             TColor{235, 235, 235}, TColor{240, 140, 110},
+    static const std::array<TColor, 5> stops{TColor{40, 90, 210}, TColor{110, 175, 225},
+                                             TColor{232, 210, 125}, TColor{240, 135, 85},
                                              TColor{200, 30, 40}};
     return along(stops, 0.5 * (share + 1));
 }

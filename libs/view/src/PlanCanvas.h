@@ -11,7 +11,7 @@
 
 namespace offmap::view {
 
-/// Cairo, as far as plans need it. All lengths in [px] from the top left corner.
+/// Cairo, as far as plans and figures need it. All lengths in [px] from the top left corner.
 class PlanCanvas {
  public:
     enum class Align : uint8_t { Left, Middle, Right };

@@ -30,6 +30,7 @@ void addMark(CSetOfObjects& marks, const mrpt::poses::CPose3D& sensorInMap,
     const auto s = static_cast<float>(size);
     auto arrow = mrpt::opengl::CArrow::Create(0, 0, 0, s, 0, 0, 0.3F, 0.06F * s, 0.16F * s);
     arrow->setColor_u8(colour);
+    arrow->enableLight(false);  // from above, it would be lit from behind
     arrow->setPose(sensorInMap);
     marks.insert(arrow);
     // Not drawn where it is flat; a pose that is known exactly has none.

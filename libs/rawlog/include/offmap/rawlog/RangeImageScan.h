@@ -27,6 +27,8 @@ class RangeImageScan final : public ScanClass {
     size_t slotCount(const mrpt::obs::CObservation& obs) const override;
     TurnScan organize(const Turn& turn, const PoseSource& poses,
                       const SensorConfig& config) const override;
+    /// Of the intensity image, where every pixel has its own in memory; of a colour its brightness.
+    std::vector<float> intensities(const mrpt::obs::CObservation& obs) const override;
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
                                           Leftovers leftovers) const override;
     /// With colour or intensity where every pixel has its own in memory, as the observation says.

@@ -17,7 +17,7 @@ namespace offmap::view {
 enum class ColourBy : uint8_t {
     Label,      ///< what became of it: figures 7 and 8
     Height,     ///< z in the map, from the lowest 2 % to the highest
-    Intensity,  ///< how bright it is, as far as that is known
+    Intensity,  ///< how bright it is, up to the brightest but 2 %, as far as that is known
     Residual,   ///< of its segment: blue in front of the wall by 5 standard deviations, red behind
     Reason,     ///< why its segment was kept
 };
@@ -27,6 +27,10 @@ inline constexpr double colouredResidual = 5;
 
 /// [m] z in the map that the colours of heights reach from and to.
 core::Interval colouredHeights(const PlacedReturns& returns);
+
+/// [-] Intensities that the colours reach from and to: those of most returns use little of what a
+/// sensor can tell.
+core::Interval colouredIntensities(std::span<const float> intensities);
 
 /// A colour for each placed return.
 /// \param intensities [0, 1] one per point of the scan, NaN where unknown; may be empty

@@ -32,7 +32,7 @@ struct Palette {
 /// From dark violet over green to yellow, even in lightness. \param share [0, 1], clamped
 mrpt::img::TColor sequential(double share);
 
-/// Blue below 0, near white at 0, red above. \param share [-1, 1], clamped
+/// Blue below 0, pale yellow at 0, red above. \param share [-1, 1], clamped
 mrpt::img::TColor diverging(double share);
 
 }  // namespace offmap::view
