@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <stdexcept>
@@ -72,6 +73,39 @@ TEST(LiveReduction, dropsTheOldestAndCountsThem) {
     EXPECT_EQ(figures.totals.scans + figures.turnsDropped, 10U);
     EXPECT_GE(figures.turnsDropped, 6U) << "at most one in work, one taken before, two waiting";
     EXPECT_EQ(numbers.back(), 9U) << "the newest is always reduced";
+}
+
+/// As a sensor: turns come when they come, every 2 ms.
+class TurnsAtARate : public TurnsInMemory {
+ public:
+    explicit TurnsAtARate(size_t turns) : TurnsInMemory(turns, false) {}
+    std::optional<ArrivedTurn> next(const std::stop_token& stop) override {
+        std::this_thread::sleep_for(2ms);
+        return TurnsInMemory::next(stop);
+    }
+};
+
+// A turn waits for the one in work, for those that came before it and may wait, and for itself:
+// waiting + 1 of them, each as slow as the slowest. Who is never idle ends one each cycle.
+TEST(LiveReduction, tooManyTurnsDoNotMakeItLate) {
+    constexpr size_t waiting = 3;
+    double slowest = 0, latest = 0;  // [ms]
+    SteadyTime before = std::chrono::steady_clock::now();
+    LiveReduction reduction(std::make_unique<TurnsAtARate>(150), officeSetup(),
+                            {.waiting = waiting, .onFrame = [&](const LiveFramePtr& frame) {
+                                 std::this_thread::sleep_for(10ms);
+                                 const auto now = std::chrono::steady_clock::now();
+                                 const std::chrono::duration<double, std::milli> cycle =
+                                     now - before;
+                                 before = now;
+                                 slowest = std::max(slowest, cycle.count());
+                                 latest = std::max(latest, frame->latency);
+                             }});
+    ASSERT_TRUE(reduction.waitUntilFinished(longEnough));
+    const LiveFigures figures = reduction.figures();
+    EXPECT_GT(figures.turnsDropped, 0U) << "the test must be too fast for it";
+    EXPECT_EQ(figures.totals.scans + figures.turnsDropped, 150U);
+    EXPECT_LE(latest, (waiting + 1) * slowest);
 }
 
 /// Delivers one turn and then nothing, without an end.

@@ -47,12 +47,17 @@ class VelodyneStream {
         const double stamp = std::fmod(static_cast<double>(n) * period, 3.6e9);  // of the hour
         putBytes(packet, blocks * velodyneBlockBytes, static_cast<uint32_t>(stamp));
         for (size_t block = 0; block < blocks; ++block) {
-            const uint64_t gone = (n * blocks + block) % (blocks * packets_.size());
-            const uint64_t rotation = first_ + gone * circle / (blocks * packets_.size());
-            putBytes(packet, block * velodyneBlockBytes + 2,
-                     static_cast<uint16_t>(rotation % circle));
+            putBytes(packet, block * velodyneBlockBytes + 2, rotation(n, block));
         }
         return packet;
+    }
+
+    /// That so many packets from the first one on make: the first begins somewhere on the circle,
+    /// the last may be cut short.
+    uint64_t turnsOf(uint64_t packets) const {
+        uint64_t turns = 0;
+        for (uint64_t n = 0; n < packets; ++n) turns += n == 0 || rotation(n) < rotation(n - 1);
+        return turns;
     }
 
     /// Of packet n, that it holds.
@@ -64,6 +69,13 @@ class VelodyneStream {
  private:
     static constexpr uint64_t circle = 36000;  // [1/100 deg]
     static constexpr size_t blocks = 12;       // of a packet
+
+    /// [1/100 deg] clockwise
+    uint16_t rotation(uint64_t n, size_t block = 0) const {
+        const uint64_t perTurn = blocks * packets_.size();
+        const uint64_t gone = (n * blocks + block) % perTurn;
+        return static_cast<uint16_t>((first_ + gone * circle / perTurn) % circle);
+    }
 
     std::vector<VelodynePacket> packets_;
     uint16_t first_ = 0;  // [1/100 deg] the first packet's rotation

@@ -62,6 +62,17 @@ TEST(VelodyneTurns, countWhatIsMissingByTheStamps) {
     EXPECT_EQ(turns.packetsMissing(), 4U);
 }
 
+// Else two turns would come as one.
+TEST(VelodyneTurns, endAlsoWhereThePacketThatReachesZeroDidNotCome) {
+    VelodyneTurns turns("VLP16");
+    ASSERT_EQ(turnsOf(turns, 0, 149).size(), 1U);
+    const auto more = turnsOf(turns, 150, 225);
+    ASSERT_EQ(more.size(), 2U);
+    EXPECT_EQ(more[0]->scan_packets.size(), 74U);
+    EXPECT_EQ(more[1]->scan_packets.size(), 75U);
+    EXPECT_EQ(turns.packetsMissing(), 1U);
+}
+
 TEST(VelodyneTurns, theHourMayBeginAnew) {
     const auto lastOfHour = static_cast<uint64_t>(3.6e9 / VelodyneStream::period);
     VelodyneTurns turns("VLP16");

@@ -48,6 +48,8 @@ double periodOf(const VelodynePacket& packet) {
 
 VelodyneTurn VelodyneTurns::add(const VelodynePacket& packet, mrpt::Clock::time_point arrived) {
     countMissing(stampOf(packet), periodOf(packet));
+    const Passage passage = passageTo(rotationOf(packet));
+    VelodyneTurn ended = passage.ended ? std::exchange(turn_, nullptr) : nullptr;
     if (!turn_) {
         turn_ = Scan::Create();
         turn_->sensorLabel = label_;
@@ -55,7 +57,8 @@ VelodyneTurn VelodyneTurns::add(const VelodynePacket& packet, mrpt::Clock::time_
         swept_ = 0;
     }
     turn_->scan_packets.push_back(packet);
-    return turnEndsWith(rotationOf(packet)) ? std::exchange(turn_, nullptr) : nullptr;
+    if (passage.ends) ended = std::exchange(turn_, nullptr);
+    return ended;
 }
 
 VelodyneTurn VelodyneTurns::finish() {
@@ -75,14 +78,16 @@ void VelodyneTurns::countMissing(uint32_t stamp, double period) {
     if (periods > 1) missing_ += static_cast<uint64_t>(periods - 1);
 }
 
-/// Whether the next packet would begin behind 0 degrees. A turn that has just begun there does not
-/// end at once, if the head is slower than it was.
-bool VelodyneTurns::turnEndsWith(int rotation) {
+/// A turn that has just begun short of 0 degrees does not end there, if the head is slower than it
+/// was.
+VelodyneTurns::Passage VelodyneTurns::passageTo(int rotation) {
     const auto before = std::exchange(lastRotation_, rotation);
-    if (!before) return false;
+    if (!before) return {};
     const int advance = (rotation + circle - *before) % circle;
     swept_ += advance;
-    return swept_ > circle / 2 && rotation + advance >= circle;
+    if (swept_ <= circle / 2) return {};
+    const bool ended = rotation < *before;
+    return {ended, !ended && rotation + advance >= circle};
 }
 
 }  // namespace offmap::live

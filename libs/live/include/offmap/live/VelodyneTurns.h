@@ -15,13 +15,14 @@ using VelodyneTurn = mrpt::obs::CObservationVelodyneScan::Ptr;
 
 /// Puts the packets of a VLP-16 or HDL-32E together into turns. Every packet is in one turn, so all
 /// returns are. A turn ends where the head passes its 0 degrees: with the packet that reaches it,
-/// if the one before tells how far a packet goes, not with the first one behind.
+/// if the one before tells how far a packet goes, not with the first one behind. Only where the
+/// former did not come does the latter end it.
 class VelodyneTurns {
  public:
     explicit VelodyneTurns(std::string label) : label_(std::move(label)) {}
 
     /// \param arrived the turn's time is that of its first packet
-    /// \return the turn that this packet completes; null if it goes on
+    /// \return the turn that this packet completes, or shows to be complete; null if it goes on
     /// \throw std::invalid_argument saying why, if it is a packet of neither model
     VelodyneTurn add(const VelodynePacket& packet, mrpt::Clock::time_point arrived);
 
@@ -34,7 +35,11 @@ class VelodyneTurns {
 
  private:
     void countMissing(uint32_t stamp, double period);
-    bool turnEndsWith(int rotation);
+    struct Passage {
+        bool ended = false;  ///< the turn, before this packet: the one that reaches 0 did not come
+        bool ends = false;   ///< the turn, with this packet: the next would begin behind 0
+    };
+    Passage passageTo(int rotation);
 
     std::string label_;
     VelodyneTurn turn_;
