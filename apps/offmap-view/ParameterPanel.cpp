@@ -14,6 +14,7 @@
 #include <wx/filedlg.h>
 #include <wx/filename.h>
 #include <wx/scrolwin.h>
+#include <wx/settings.h>
 #include <wx/sizer.h>
 #include <wx/srchctrl.h>
 
@@ -89,6 +90,8 @@ void ParameterPanel::alignColumns() {
     int width = 0;
     for (const auto* section : sections_) width = std::max(width, section->nameWidth());
     for (auto* section : sections_) section->setNameWidth(width);
+    const int scrollBar = wxSystemSettings::GetMetric(wxSYS_VSCROLL_X, this);
+    list_->SetMinSize({list_->GetSizer()->CalcMin().x + scrollBar, FromDIP(120)});
 }
 
 /// After something in the list has become higher or lower.
