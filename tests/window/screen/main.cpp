@@ -7,6 +7,11 @@
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
+    // What the toolkit finds wrong with its use; else it would ask with a dialog and wait.
+    wxSetAssertHandler([](const wxString& file, int line, const wxString&,
+                          const wxString& condition, const wxString& message) {
+        ADD_FAILURE() << file << ':' << line << ": " << condition << ": " << message;
+    });
     wxApp::SetInstance(new wxApp);
     const wxInitializer toolkit(argc, argv);
     if (!toolkit.IsOk()) return 2;  // no screen
