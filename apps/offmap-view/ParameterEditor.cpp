@@ -55,8 +55,9 @@ class TextEditor : public ParameterEditor {
           field_(new wxTextCtrl(&parent, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
                                 wxTE_PROCESS_ENTER | wxTE_RIGHT)) {
         field_->Bind(wxEVT_TEXT_ENTER, [this](wxCommandEvent&) { enter(); });
-        field_->Bind(wxEVT_KILL_FOCUS, [this](wxFocusEvent& event) {
-            enter();
+        // a window that closes takes the focus away when this is gone already
+        field_->Bind(wxEVT_KILL_FOCUS, [this, field = field_](wxFocusEvent& event) {
+            if (!field->IsBeingDeleted()) enter();
             event.Skip();
         });
         field_->Bind(wxEVT_KEY_DOWN, [this](wxKeyEvent& event) { onKey(event); });

@@ -154,7 +154,7 @@ void ParameterPanel::save() {
     }
 }
 
-void ParameterPanel::report(const std::string& error) {
+void ParameterPanel::report(const std::string& error) const {
     if (onError) onError(error);
 }
 

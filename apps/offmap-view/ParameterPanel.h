@@ -42,7 +42,7 @@ class ParameterPanel : public wxPanel {
     void resetAll();
     void load();
     void save();
-    void report(const std::string& error);
+    void report(const std::string& error) const;
 
     rawlog::Config config_;
     std::string folder_;
