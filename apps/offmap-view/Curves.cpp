@@ -2,6 +2,8 @@
 #include "Curves.h"
 
 #include <algorithm>
+#include <wx/brush.h>
+#include <wx/pen.h>
 
 namespace offmap::window {
 

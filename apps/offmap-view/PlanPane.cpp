@@ -11,7 +11,9 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <wx/brush.h>
 #include <wx/menu.h>
+#include <wx/pen.h>
 
 namespace offmap::window {
 

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <memory>
 #include <vector>
+#include <wx/brush.h>
 #include <wx/dcmemory.h>
 #include <wx/image.h>
+#include <wx/pen.h>
 
 namespace offmap::window {
 

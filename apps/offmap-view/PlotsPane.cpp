@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <wx/pen.h>
 
 namespace offmap::window {
 

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <wx/brush.h>
+#include <wx/pen.h>
 
 namespace offmap::window {
 
