@@ -39,12 +39,14 @@ TimelinePane::TimelinePane(wxWindow* parent) : DrawnPane(parent, {400, 78}) {
 
 void TimelinePane::setTurns(uint64_t count) {
     history_.setTurns(count);
+    explained_ = nothingExplained;
     setPosition(0);
     Refresh(false);
 }
 
 void TimelinePane::add(uint64_t number, double removedShare, double milliseconds, bool suspect) {
     history_.add(number, {removedShare, milliseconds, suspect});
+    if (number == explained_) explained_ = nothingExplained;
     Refresh(false);
 }
 
@@ -56,6 +58,7 @@ void TimelinePane::setPosition(uint64_t number) {
 
 void TimelinePane::clear() {
     history_.clear();
+    explained_ = nothingExplained;
     Refresh(false);
 }
 

@@ -43,7 +43,8 @@ class TimelinePane : public DrawnPane {
 
     TurnHistory history_;
     uint64_t position_ = 0;
-    uint64_t explained_ = ~uint64_t{0};  // the turn that the tooltip tells of
+    static constexpr uint64_t nothingExplained = ~uint64_t{0};
+    uint64_t explained_ = nothingExplained;  // the turn that the tooltip tells of
 };
 
 }  // namespace offmap::window

@@ -115,6 +115,9 @@ TEST_F(TimelinePaneTest, tooltipTellsTheTurnUnderThePointer) {
               "turn 42: 92.3 % removed, 4.25 ms, does not fit the map");
     timeline_.mouse(wxEVT_MOTION, xOf(43), middle);
     EXPECT_EQ(timeline_->GetToolTipText(), "turn 43");
+    timeline_->add(43, 0.5, 4, false);
+    timeline_.mouse(wxEVT_MOTION, xOf(43), middle);
+    EXPECT_EQ(timeline_->GetToolTipText(), "turn 43: 50.0 % removed, 4.00 ms");
 }
 
 TEST_F(TimelinePaneTest, clearLeavesNoCurve) {
