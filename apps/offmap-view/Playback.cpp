@@ -6,15 +6,14 @@
 
 namespace offmap::window {
 
-Playback::Playback(app::LiveInput input, live::LiveSetup setup, PlaybackEvents events, bool play)
+Playback::Playback(app::LiveInput input, live::LiveSetup setup, PlaybackEvents events, bool play,
+                   uint64_t startAt)
     : input_(std::move(input)),
       setup_(std::move(setup)),
       events_(std::move(events)),
       playing_(play || !input_.replay) {
-    if (!playing_) {
-        input_.replay->pause();
-        input_.replay->step();
-    }
+    if (!playing_) input_.replay->pause();
+    if (input_.replay) input_.replay->jumpTo(startAt);
     live::LiveOptions options;
     options.onFrame = [this](const live::LiveFramePtr& frame) { take(frame); };
     options.onLatest = events_.onLatest;

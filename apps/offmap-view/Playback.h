@@ -16,14 +16,16 @@ namespace offmap::window {
 /// Called by the thread that reduces.
 struct PlaybackEvents {
     std::function<void(const live::LiveFramePtr&)> onFrame;  ///< for every turn
-    std::function<void()> onLatest;                          ///< latest() has changed
+    std::function<void(const live::LiveFramePtr&)>
+        onLatest;  ///< of a turn that is reduced again, too
 };
 
 /// A source that is being reduced, and its controls. Any thread may use it.
 class Playback {
  public:
-    /// \param play else a log waits at its first turn
-    Playback(app::LiveInput input, live::LiveSetup setup, PlaybackEvents events, bool play);
+    /// \param play else a log waits at its first turn \param startAt turn of a log
+    Playback(app::LiveInput input, live::LiveSetup setup, PlaybackEvents events, bool play,
+             uint64_t startAt);
     ~Playback();
     Playback(const Playback&) = delete;
     Playback& operator=(const Playback&) = delete;

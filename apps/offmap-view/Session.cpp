@@ -54,8 +54,11 @@ void Session::close() {
         loader_.request_stop();
         loader_.join();
     }
-    const std::lock_guard lock(mutex_);
-    playback_.reset();
+    std::shared_ptr<Playback> ending;
+    {
+        const std::lock_guard lock(mutex_);
+        ending = std::move(playback_);
+    }
 }
 
 bool Session::opening() const {
@@ -150,7 +153,7 @@ std::shared_ptr<Playback> Session::openSource(const SessionRequest& request, Ope
     if (input.replay) opened.turns = turnsIn(*input.survey);
     live::LiveSetup setup{opened.map, input.poses, request.config};
     return std::make_shared<Playback>(std::move(input), std::move(setup), events_.playback,
-                                      request.play);
+                                      request.play, request.startAt);
 }
 
 }  // namespace offmap::window

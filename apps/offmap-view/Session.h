@@ -17,7 +17,8 @@ namespace offmap::window {
 struct SessionRequest {
     app::LiveRequest live;  ///< its source may be empty, and its map
     rawlog::Config config;
-    bool play = false;
+    bool play = false;     ///< else a log waits at its first turn
+    uint64_t startAt = 0;  ///< turn of a log
 };
 
 /// What is being looked at.

@@ -122,7 +122,7 @@ class OneTurn : public TurnsInMemory {
 TEST(LiveReduction, aChangeReducesTheLatestTurnAgain) {
     std::atomic<int> told = 0;
     LiveOptions options;
-    options.onLatest = [&] { ++told; };
+    options.onLatest = [&](const LiveFramePtr&) { ++told; };
     LiveReduction reduction(std::make_unique<OneTurn>(), officeSetup(), options);
     while (told < 1) std::this_thread::sleep_for(1ms);
     const LiveFramePtr before = reduction.latest();

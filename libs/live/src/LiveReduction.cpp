@@ -51,7 +51,7 @@ void LiveReduction::reduceAll(const std::stop_token& stop) {
             const auto turn = queue_.pop(stop);
             if (turn) {
                 reduceNext(*turn);
-            } else {
+            } else if (!stop.stop_requested() && hasChanged()) {
                 reduceLatestAgain();
             }
         }
@@ -91,7 +91,12 @@ void LiveReduction::reduceNext(const ArrivedTurn& turn) {
         points_.add(now, static_cast<double>(frame->reduced.record.counts.returns));
     }
     if (options_.onFrame) options_.onFrame(frame);
-    if (options_.onLatest) options_.onLatest();
+    if (options_.onLatest) options_.onLatest(frame);
+}
+
+bool LiveReduction::hasChanged() const {
+    const std::lock_guard lock(mutex_);
+    return changed_ != nullptr;
 }
 
 void LiveReduction::reduceLatestAgain() {
@@ -102,7 +107,7 @@ void LiveReduction::reduceLatestAgain() {
         const std::lock_guard lock(mutex_);
         latest_ = frame;
     }
-    if (options_.onLatest) options_.onLatest();
+    if (options_.onLatest) options_.onLatest(frame);
 }
 
 void LiveReduction::end(const std::string& failure) {

@@ -31,7 +31,7 @@ struct LiveOptions {
     std::function<void(const LiveFramePtr&)> onFrame{};
     /// Called by the same thread whenever latest() has changed: for a turn that was reduced again,
     /// too. Must not throw.
-    std::function<void()> onLatest{};
+    std::function<void(const LiveFramePtr&)> onLatest{};
 };
 
 /// Reduces what a source delivers as it comes: one thread waits for the source, one reduces. Where
@@ -74,6 +74,7 @@ class LiveReduction {
     void reduceAll(const std::stop_token& stop);
     void reduceNext(const ArrivedTurn& turn);
     void reduceLatestAgain();
+    bool hasChanged() const;
     LiveFramePtr reduced(const ArrivedTurn& turn);
     void end(const std::string& failure);
 

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MainFrame.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
+#include <wx/display.h>
+#include <wx/dnd.h>
+#include <wx/sizer.h>
+#include <wx/spinctrl.h>
+#include <wx/textctrl.h>
+
+namespace offmap::window {
+
+namespace {
+
+constexpr int pause = 100;  // [ms] between looks at figures and signals
+
+/// A file that is dropped on the window.
+class FileDrop : public wxFileDropTarget {
+ public:
+    explicit FileDrop(std::function<void(const std::string&)> open) : open_(std::move(open)) {}
+    bool OnDropFiles(wxCoord, wxCoord, const wxArrayString& files) override {
+        for (const wxString& file : files) open_(file.utf8_string());
+        return !files.empty();
+    }
+
+ private:
+    std::function<void(const std::string&)> open_;
+};
+
+std::vector<wxRect> screens() {
+    std::vector<wxRect> areas;
+    for (unsigned i = 0; i < wxDisplay::GetCount(); ++i) {
+        areas.push_back(wxDisplay(i).GetClientArea());
+    }
+    return areas;
+}
+
+/// Whether keys are text there.
+bool isTypedInto(const wxWindow* focus) {
+    return dynamic_cast<const wxTextEntry*>(focus) != nullptr || wxDynamicCast(focus, wxSpinCtrl) ||
+           wxDynamicCast(focus, wxSpinCtrlDouble);
+}
+
+}  // namespace
+
+MainFrame::MainFrame(FileReader reader, SessionRequest request, wxConfigBase& settings)
+    : wxFrame(nullptr, wxID_ANY, "offmap-view"),
+      preferences_(settings),
+      request_(std::move(request)),
+      menu_(new MainMenu),
+      workspace_(new Workspace(this)),
+      actions_(makeActions()),
+      timer_(this),
+      session_(std::move(reader), sessionEvents()) {
+    SetMenuBar(menu_);
+    SetMinSize(FromDIP(wxSize(640, 420)));
+    SetDropTarget(new FileDrop([this](const std::string& file) { openFile(file); }));
+    wireParts();
+    wireMenu();
+    restore();
+    workspace_->parameters->setConfig(request_.config);
+    timer_.Start(pause);
+    if (!request_.live.from.source.empty() || !request_.live.shared.map.empty()) open();
+}
+
+MainFrame::~MainFrame() { session_.close(); }
+
+Session::Events MainFrame::sessionEvents() {
+    Session::Events events;
+    events.onOpened = [this](const Opened& opened) {
+        CallAfter([this, opened] { showOpened(opened); });
+    };
+    events.onFailure = [this](const std::string& message) {
+        CallAfter([this, message] { showFailure(message); });
+    };
+    events.playback.onFrame = [this](const live::LiveFramePtr& frame) {
+        const auto& record = frame->reduced.record;
+        const double share = record.counts.returns == 0
+                                 ? 0
+                                 : double(record.removed()) / double(record.counts.returns);
+        CallAfter([this, number = frame->arrived.number, share, ms = record.milliseconds,
+                   suspect = record.health.suspect.has_value()] {
+            workspace_->timeline->add(number, share, ms, suspect);
+        });
+    };
+    events.playback.onLatest = [this](const live::LiveFramePtr& frame) {
+        workspace_->stage->take(frame);
+    };
+    return events;
+}
+
+void MainFrame::wireParts() {
+    workspace_->controls->onAction = [this](Action action) { perform(action); };
+    workspace_->controls->onPointSize = [this](double pixels) { setPointSize(pixels); };
+    workspace_->controls->onSpeed = [this](double factor) {
+        withPlayback([&](Playback& playback) { playback.setSpeed(factor); });
+    };
+    workspace_->stage->onShown = [this](const Composed& composed) { showScan(composed); };
+    workspace_->stage->onPicked = [this](const view::SegmentStory* story) { showStory(story); };
+    workspace_->plan->onLookAt = [this](const auto& place) { workspace_->stage->lookAt(place); };
+    workspace_->timeline->onJump = [this](uint64_t turn) {
+        withPlayback([&](Playback& playback) { playback.jumpTo(turn); });
+    };
+    workspace_->parameters->onError = [this](const std::string& error) { showFailure(error); };
+    workspace_->parameters->onChange = [this](const rawlog::Config& config) {
+        request_.config = config;
+        withPlayback([&](Playback& playback) { playback.setConfig(config); });
+    };
+}
+
+void MainFrame::wireMenu() {
+    Bind(wxEVT_MENU, [this](wxCommandEvent& event) {
+        if (const auto action = MainMenu::actionOf(event.GetId())) return perform(*action);
+        if (const auto log = menu_->recentLog(event.GetId())) return openLog(*log);
+        if (const auto map = menu_->recentMap(event.GetId())) return openMap(*map);
+        event.Skip();
+    });
+    Bind(wxEVT_CHAR_HOOK, [this](wxKeyEvent& event) { onKey(event); });
+    Bind(wxEVT_TIMER, [this](wxTimerEvent&) { onTimer(); });
+    Bind(wxEVT_CLOSE_WINDOW, [this](wxCloseEvent&) { onClose(); });
+    menu_->setRecent(preferences_.recentLogs(), preferences_.recentMaps());
+}
+
+void MainFrame::onKey(wxKeyEvent& event) {
+    const auto action = actionOf(event);
+    const bool plain = !event.ControlDown();
+    const bool ofTimeline = workspace_->timeline->HasFocus() && plain;
+    if (!action || (plain && isTypedInto(FindFocus())) || ofTimeline) return event.Skip();
+    perform(*action);
+}
+
+void MainFrame::open() {
+    workspace_->messages->Dismiss();
+    SetTitle("offmap-view: opening ...");
+    session_.open(request_);
+}
+
+void MainFrame::showOpened(const Opened& opened) {
+    turns_ = opened.turns;
+    workspace_->stage->setMap(opened.map);
+    workspace_->plan->setMap(opened.map);
+    workspace_->plan->clearTrajectory();
+    workspace_->timeline->setTurns(turns_);
+    workspace_->plots->clear();
+    workspace_->figures->clear();
+    const std::string& source = request_.live.from.source;
+    if (!source.empty()) preferences_.addRecentLog(std::filesystem::absolute(source).string());
+    const std::filesystem::path& map = request_.live.shared.map;
+    if (!map.empty()) preferences_.addRecentMap(std::filesystem::absolute(map).string());
+    menu_->setRecent(preferences_.recentLogs(), preferences_.recentMaps());
+    SetTitle(wxString::FromUTF8(fmt::format(
+        "{} - offmap-view", source.empty() ? map.filename().string() : opened.sourceDescription)));
+    if (!opened.warnings.empty()) {
+        workspace_->messages->ShowMessage(
+            wxString::FromUTF8(fmt::format("{}", fmt::join(opened.warnings, "; "))),
+            wxICON_WARNING);
+    }
+    withPlayback([&](Playback& playback) {
+        if (const auto frame = playback.latest()) workspace_->stage->take(frame);
+    });
+}
+
+void MainFrame::showFailure(const std::string& message) {
+    if (!session_.playback()) SetTitle("offmap-view");
+    workspace_->messages->ShowMessage(wxString::FromUTF8(message), wxICON_ERROR);
+}
+
+void MainFrame::showScan(const Composed& composed) {
+    const uint64_t turn = composed.frame->arrived.number;
+    workspace_->plan->show(composed.frame);
+    workspace_->timeline->setPosition(turn);
+    workspace_->controls->setPlace(turn, turns_);
+}
+
+void MainFrame::showStory(const view::SegmentStory* story) {
+    const auto playback = session_.playback();
+    if (!story || !playback) return workspace_->verdict->clear();
+    auto lines = view::linesOf(*story, workspace_->stage->map());
+    const std::string sentence = lines.empty() ? "" : lines.back().second;
+    if (!lines.empty()) lines.pop_back();
+    workspace_->verdict->show(lines, sentence);
+}
+
+void MainFrame::onTimer() {
+    if (interruption_.came()) Close(true);
+    const auto playback = session_.playback();
+    workspace_->controls->setPlaying(playback && playback->playing(),
+                                     playback && playback->canPause());
+    const auto frame = playback ? playback->latest() : nullptr;
+    if (!frame) return;
+    workspace_->figures->show(playback->figures(), frame);
+    const auto& record = frame->reduced.record;
+    const double points = double(record.counts.returns), removed = double(record.removed());
+    const std::chrono::duration<double> now = std::chrono::steady_clock::now() - began_;
+    workspace_->plots->add(now.count(), points > 0 ? removed / points : 0, record.milliseconds,
+                           frame->latency, points - removed);
+}
+
+void MainFrame::restore() {
+    const auto areas = screens();
+    state_ = preferences_.load(areas);
+    SetSize(state_.window ? *state_.window : wxRect(wxDefaultPosition, FromDIP(wxSize(1400, 880))));
+    if (state_.maximised) Maximize();
+    workspace_->setSashes(state_.sashes);
+    workspace_->controls->setSpeed(state_.speed);
+    setDark(state_.dark);
+    setCameraMode(state_.cameraMode);
+    change([&](SceneChoices& choices) {
+        choices = {state_.colourBy, state_.pointSize, state_.shown};
+    });
+}
+
+void MainFrame::save() {
+    if (!IsMaximized() && !IsFullScreen()) state_.window = GetRect();
+    state_.maximised = IsMaximized();
+    state_.sashes = workspace_->sashes();
+    state_.camera = workspace_->stage->camera();
+    state_.cameraMode = workspace_->stage->cameraMode();
+    const SceneChoices& choices = workspace_->stage->choices();
+    state_.pointSize = choices.pointSize;
+    state_.colourBy = choices.colourBy;
+    state_.shown = choices.shown;
+    state_.speed = workspace_->controls->speed();
+    preferences_.save(state_);
+}
+
+void MainFrame::onClose() {
+    timer_.Stop();
+    save();
+    session_.close();
+    Destroy();
+}
+
+}  // namespace offmap::window

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "MainMenu.h"
+#include "Preferences.h"
+#include "Session.h"
+#include "Workspace.h"
+#include "input/Interruption.h"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <wx/config.h>
+#include <wx/frame.h>
+#include <wx/timer.h>
+
+namespace offmap::window {
+
+/// The window: what its parts tell each other.
+class MainFrame : public wxFrame {
+ public:
+    /// \param request is opened at once; may be empty \param settings are read and kept up
+    MainFrame(FileReader reader, SessionRequest request, wxConfigBase& settings);
+    ~MainFrame() override;
+
+    Workspace& workspace() { return *workspace_; }
+    Session& session() { return session_; }
+    void perform(Action action);
+
+ private:
+    // MainFrame.cpp
+    void wireParts();
+    void wireMenu();
+    void restore();
+    void save();
+    void open();
+    void showOpened(const Opened& opened);
+    void showScan(const Composed& composed);
+    void showStory(const view::SegmentStory* story);
+    void showFailure(const std::string& message);
+    void onTimer();
+    void onClose();
+    void onKey(wxKeyEvent& event);
+    Session::Events sessionEvents();
+
+    // MainFrameActions.cpp
+    std::map<Action, std::function<void()>> makeActions();
+    void askForLog();
+    void askForMap();
+    void askForLiveSource();
+    void openFile(const std::string& file);
+    void openLog(const std::string& file);
+    void openMap(const std::string& file);
+    void setDark(bool dark);
+    void change(const std::function<void(SceneChoices&)>& choose);
+    void setCameraMode(CameraMode mode);
+    void setPointSize(double pixels);
+    void withPlayback(const std::function<void(Playback&)>& act);
+    void saveScreenshot();
+    void exportFigure();
+    void toggleRecording();
+
+    Preferences preferences_;
+    SessionRequest request_;
+    ViewState state_;
+    uint64_t turns_ = 0;  // of the log; 0: not known
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+    app::Interruption interruption_;
+    MainMenu* menu_;
+    Workspace* workspace_;
+    std::map<Action, std::function<void()>> actions_;
+    wxTimer timer_;
+    Session session_;  // last: its threads end before the rest does
+};
+
+}  // namespace offmap::window

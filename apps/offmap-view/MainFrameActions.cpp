@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MainFrame.h"
+
+#include <offmap/view/Figure.h>
+#include <offmap/view/Render.h>
+
+#include <algorithm>
+#include <wx/aboutdlg.h>
+#include <wx/datetime.h>
+#include <wx/filedlg.h>
+
+namespace offmap::window {
+
+namespace {
+
+constexpr const char* logFiles =
+    "Logs (*.rawlog;*.pcap;*.pcapng)|*.rawlog;*.pcap;*.pcapng|All files|*";
+constexpr const char* allFiles = "All files|*";
+
+}  // namespace
+
+void MainFrame::perform(Action action) {
+    const auto found = actions_.find(action);
+    if (found != actions_.end()) found->second();
+}
+
+std::map<Action, std::function<void()>> MainFrame::makeActions() {
+    const auto colourBy = [this](view::ColourBy by) {
+        return [this, by] { change([by](SceneChoices& choices) { choices.colourBy = by; }); };
+    };
+    const auto toggle = [this](bool Shown::*part) {
+        return [this, part] {
+            change([part](SceneChoices& choices) { choices.shown.*part = !(choices.shown.*part); });
+        };
+    };
+    const auto play = [this](auto act) { return [this, act] { withPlayback(act); }; };
+    return {
+        {Action::OpenLog, [this] { askForLog(); }},
+        {Action::OpenMap, [this] { askForMap(); }},
+        {Action::OpenLive, [this] { askForLiveSource(); }},
+        {Action::SaveScreenshot, [this] { saveScreenshot(); }},
+        {Action::ExportFigure, [this] { exportFigure(); }},
+        {Action::Record, [this] { toggleRecording(); }},
+        {Action::Quit, [this] { Close(); }},
+        {Action::PlayOrPause, play([](Playback& p) { p.playing() ? p.pause() : p.play(); })},
+        {Action::StepForward, play([](Playback& p) { p.step(1); })},
+        {Action::StepBack, play([](Playback& p) { p.step(-1); })},
+        {Action::Faster, [this] { workspace_->controls->changeSpeed(1); }},
+        {Action::Slower, [this] { workspace_->controls->changeSpeed(-1); }},
+        {Action::FirstTurn, play([](Playback& p) { p.jumpTo(0); })},
+        {Action::TopCamera, [this] { setCameraMode(CameraMode::Top); }},
+        {Action::FollowCamera, [this] { setCameraMode(CameraMode::Follow); }},
+        {Action::PerspectiveCamera, [this] { setCameraMode(CameraMode::Perspective); }},
+        {Action::ResetView, [this] { workspace_->stage->resetView(); }},
+        {Action::ColourByLabel, colourBy(view::ColourBy::Label)},
+        {Action::ColourByHeight, colourBy(view::ColourBy::Height)},
+        {Action::ColourByIntensity, colourBy(view::ColourBy::Intensity)},
+        {Action::ColourByResidual, colourBy(view::ColourBy::Residual)},
+        {Action::ColourByReason, colourBy(view::ColourBy::Reason)},
+        {Action::ShowMapped, toggle(&Shown::mapped)},
+        {Action::ShowWalls, toggle(&Shown::walls)},
+        {Action::ShowEllipse, toggle(&Shown::ellipse)},
+        {Action::SmallerPoints,
+         [this] { setPointSize(workspace_->stage->choices().pointSize - 0.5); }},
+        {Action::LargerPoints,
+         [this] { setPointSize(workspace_->stage->choices().pointSize + 0.5); }},
+        {Action::SwitchTheme, [this] { setDark(!state_.dark); }},
+        {Action::FullScreen, [this] { ShowFullScreen(!IsFullScreen()); }},
+        {Action::ClearSelection, [this] { workspace_->stage->clearSelection(); }},
+    };
+}
+
+void MainFrame::withPlayback(const std::function<void(Playback&)>& act) {
+    try {
+        if (const auto playback = session_.playback()) act(*playback);
+    } catch (const std::exception& error) {
+        showFailure(error.what());
+    }
+}
+
+void MainFrame::askForLog() {
+    wxFileDialog dialog(this, "Open a log", state_.folder, "", logFiles,
+                        wxFD_OPEN | wxFD_FILE_MUST_EXIST);
+    if (dialog.ShowModal() == wxID_OK) openLog(dialog.GetPath().utf8_string());
+}
+
+void MainFrame::askForMap() {
+    wxFileDialog dialog(this, "Open a map", state_.folder, "", allFiles,
+                        wxFD_OPEN | wxFD_FILE_MUST_EXIST);
+    if (dialog.ShowModal() == wxID_OK) openMap(dialog.GetPath().utf8_string());
+}
+
+void MainFrame::askForLiveSource() {}
+
+/// By its name: a log, or else a map.
+void MainFrame::openFile(const std::string& file) {
+    const std::string extension = std::filesystem::path(file).extension().string();
+    const bool isLog = extension == ".rawlog" || extension == ".pcap" || extension == ".pcapng" ||
+                       extension == ".ini";
+    isLog ? openLog(file) : openMap(file);
+}
+
+void MainFrame::openLog(const std::string& file) {
+    state_.folder = std::filesystem::path(file).parent_path().string();
+    request_.live.from.source = file;
+    request_.startAt = 0;
+    request_.play = false;
+    open();
+}
+
+void MainFrame::openMap(const std::string& file) {
+    state_.folder = std::filesystem::path(file).parent_path().string();
+    request_.live.shared.map = file;
+    const auto playback = session_.playback();
+    const auto frame = playback ? playback->latest() : nullptr;
+    request_.startAt = frame ? frame->arrived.number : 0;
+    open();
+}
+
+void MainFrame::setDark(bool dark) {
+    state_.dark = dark;
+    const Theme& theme = dark ? Theme::darkOne() : Theme::lightOne();
+    applyToToolkit(theme);
+    workspace_->setTheme(theme);
+}
+
+void MainFrame::change(const std::function<void(SceneChoices&)>& choose) {
+    SceneChoices choices = workspace_->stage->choices();
+    choose(choices);
+    workspace_->stage->setChoices(choices);
+    workspace_->controls->setChoices(choices, workspace_->stage->cameraMode());
+}
+
+void MainFrame::setPointSize(double pixels) {
+    change([pixels](SceneChoices& choices) {
+        choices.pointSize = std::clamp(pixels, ViewState::minPointSize, ViewState::maxPointSize);
+    });
+}
+
+void MainFrame::setCameraMode(CameraMode mode) {
+    workspace_->stage->setCameraMode(mode);
+    workspace_->controls->setChoices(workspace_->stage->choices(), mode);
+}
+
+void MainFrame::saveScreenshot() {
+    const std::string name =
+        wxDateTime::Now().Format("offmap-view-%Y%m%d-%H%M%S.png").utf8_string();
+    const std::filesystem::path file = std::filesystem::current_path() / name;
+    const wxImage picture = workspace_->stage->canvas().picture();
+    if (picture.IsOk() && picture.SaveFile(wxString::FromUTF8(file.string()), wxBITMAP_TYPE_PNG)) {
+        workspace_->messages->ShowMessage(wxString::FromUTF8("wrote " + file.string()),
+                                          wxICON_INFORMATION);
+    } else {
+        showFailure(file.string() + ": the picture cannot be written; is the folder writable?");
+    }
+}
+
+void MainFrame::exportFigure() {}
+
+void MainFrame::toggleRecording() {}
+
+}  // namespace offmap::window

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Workspace.h"
+
+#include <wx/notebook.h>
+#include <wx/sizer.h>
+#include <wx/splitter.h>
+
+namespace offmap::window {
+
+namespace {
+
+constexpr int sideWidth = 400, planHeight = 260, verdictHeight = 190, figuresHeight = 330;  // [px]
+
+}  // namespace
+
+Workspace::Workspace(wxWindow* parent)
+    : wxPanel(parent), controls(new ControlBar(this)), messages(new wxInfoBar(this)) {
+    wxSplitterWindow* wide = addSplitter(this, "side", 1.0);
+    stage = new ScanStage(wide);
+    wide->SplitVertically(stage, makeSide(wide), -FromDIP(sideWidth));
+    timeline = new TimelinePane(this);
+    auto* sizer = new wxBoxSizer(wxVERTICAL);
+    sizer->Add(controls, 0, wxEXPAND | wxALL, FromDIP(4));
+    sizer->Add(messages, 0, wxEXPAND);
+    sizer->Add(wide, 1, wxEXPAND);
+    sizer->Add(timeline, 0, wxEXPAND);
+    SetSizer(sizer);
+}
+
+/// \param gravity share of what a greater window adds that goes to the first half
+wxSplitterWindow* Workspace::addSplitter(wxWindow* parent, const std::string& name,
+                                         double gravity) {
+    auto* splitter = new wxSplitterWindow(parent, wxID_ANY, wxDefaultPosition, wxDefaultSize,
+                                          wxSP_LIVE_UPDATE | wxSP_NOBORDER);
+    splitter->SetMinimumPaneSize(FromDIP(80));
+    splitter->SetSashGravity(gravity);
+    splitters_[name] = splitter;
+    return splitter;
+}
+
+wxWindow* Workspace::makeSide(wxWindow* parent) {
+    wxSplitterWindow* side = addSplitter(parent, "plan", 0.4);
+    plan = new PlanPane(side);
+    wxSplitterWindow* lower = addSplitter(side, "verdict", 0.0);
+    verdict = new VerdictPane(lower);
+    lower->SplitHorizontally(verdict, makeNotebook(lower), FromDIP(verdictHeight));
+    side->SplitHorizontally(plan, lower, FromDIP(planHeight));
+    return side;
+}
+
+wxWindow* Workspace::makeNotebook(wxWindow* parent) {
+    auto* notebook = new wxNotebook(parent, wxID_ANY);
+    wxSplitterWindow* live = addSplitter(notebook, "plots", 0.5);
+    figures = new FiguresPane(live);
+    plots = new PlotsPane(live);
+    live->SplitHorizontally(figures, plots, FromDIP(figuresHeight));
+    parameters = new ParameterPanel(notebook);
+    notebook->AddPage(live, "Figures");
+    notebook->AddPage(parameters, "Parameters");
+    return notebook;
+}
+
+void Workspace::setTheme(const Theme& theme) {
+    controls->setTheme(theme);
+    stage->setTheme(theme);
+    plan->setTheme(theme);
+    verdict->setTheme(theme);
+    figures->setTheme(theme);
+    plots->setTheme(theme);
+    timeline->setTheme(theme);
+}
+
+std::map<std::string, int> Workspace::sashes() const {
+    std::map<std::string, int> positions;
+    for (const auto& [name, splitter] : splitters_) positions[name] = splitter->GetSashPosition();
+    return positions;
+}
+
+void Workspace::setSashes(const std::map<std::string, int>& sashes) {
+    for (const auto& [name, position] : sashes) {
+        const auto found = splitters_.find(name);
+        if (found != splitters_.end()) found->second->SetSashPosition(position);
+    }
+}
+
+}  // namespace offmap::window
