@@ -3,6 +3,8 @@
 
 #include <mrpt/img/CImage.h>
 
+#include <set>
+
 namespace {
 
 using namespace offmap::test;
@@ -32,6 +34,55 @@ TEST_F(Render, writesAPicture) {
     EXPECT_GE(image.getHeight(), 500U);
     EXPECT_THAT(folder_.names(),
                 testing::UnorderedElementsAre("in.rawlog", "office.lines", "scan.png"));
+}
+
+TEST_F(Render, sizeAndViewAreThoseAskedFor) {
+    for (const char* view : {"top", "perspective"}) {
+        const RunResult run =
+            runOffmap(renderArguments({"--view", view, "--size", "640x480", "--force"}));
+        ASSERT_EQ(run.exitCode, 0) << testing::PrintToString(run);
+        mrpt::img::CImage image;
+        ASSERT_TRUE(image.loadFromFile(picture_.string()));
+        EXPECT_EQ(image.getWidth(), 640U);
+        EXPECT_EQ(image.getHeight(), 480U);
+    }
+}
+
+TEST_F(Render, everyChoiceGivesAnotherPicture) {
+    std::set<std::string> pictures;
+    const std::vector<Arguments> choices{{},
+                                         {"--view", "perspective", "--azimuth-deg", "30"},
+                                         {"--elevation-deg", "70"},
+                                         {"--colour-by", "height"},
+                                         {"--colour-by", "residual"},
+                                         {"--colour-by", "reason", "--theme", "light"},
+                                         {"--theme", "light"},
+                                         {"--hide-mapped"}};
+    for (Arguments choice : choices) {
+        choice.push_back("--force");
+        const RunResult run = runOffmap(renderArguments(choice));
+        ASSERT_EQ(run.exitCode, 0) << testing::PrintToString(run);
+        pictures.insert(readFile(picture_));
+    }
+    EXPECT_EQ(pictures.size(), choices.size());
+}
+
+TEST_F(Render, wrongChoicesAreTold) {
+    for (const char* size :
+         {"640", "640x", "x480", "640x480x3", "-640x480", "199x480", "640x4001"}) {
+        expectRefusal(renderArguments({std::string("--size=") + size}), 1,
+                      AllOf(HasSubstr("--size"), HasSubstr("200 to 4000")));
+    }
+    expectRefusal(renderArguments({"--size", "300x200"}), 2, HasSubstr("too small for its legend"));
+    expectRefusal(renderArguments({"--view", "top", "--azimuth-deg", "30"}), 1,
+                  HasSubstr("--view top"));
+    expectRefusal(renderArguments({"--colour-by", "taste"}), 1, HasSubstr("--colour-by"));
+    expectRefusal(renderArguments({"--elevation-deg", "91"}), 1, HasSubstr("--elevation-deg"));
+}
+
+TEST_F(Render, scanWithoutIntensitiesIsTold) {
+    expectRefusal(renderArguments({"--colour-by", "intensity"}), 2,
+                  AllOf(HasSubstr("tell no intensities"), HasSubstr("--colour-by")));
 }
 
 TEST_F(Render, existingPictureNeedsForce) {

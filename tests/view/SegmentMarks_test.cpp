@@ -10,8 +10,8 @@
 namespace offmap::view {
 namespace {
 
-constexpr double tick = 0.4 * (0.03 + 0.01 * 4);  // [m] half of the marks' ends, at 4 m
-constexpr double single = 1e-5;                   // [m] rounding of single precision at 20 m
+constexpr double width = 0.02 + 0.01 * 4;  // [m] of the marks on the floor, at 4 m
+constexpr double single = 1e-5;            // [m] rounding of single precision at 20 m
 
 // The second segment stands at map x = 14, from the floor to 2 m; the sensor at (10, 20, 1).
 TEST(SegmentMarks, standWhereTheSegmentDoes) {
@@ -40,13 +40,13 @@ TEST(SegmentMarks, intervalsLieOnTheFloorSideBySide) {
     EXPECT_NEAR(predicted.max.x, 10 + 4.8, single);
     for (const auto& box : {measured, predicted}) {
         EXPECT_NEAR(box.min.z, 0, single);
-        EXPECT_NEAR(box.max.z, 0, single);
-        EXPECT_NEAR(box.max.y - box.min.y, 2 * tick, 2 * single);
+        EXPECT_NEAR(box.max.z, width, single);
+        EXPECT_NEAR(box.max.y - box.min.y, width, 2 * single);
     }
     EXPECT_GT(measured.min.y, predicted.max.y);
     const auto beam = marks->getByName("beam")->getBoundingBox();
     EXPECT_NEAR(beam.min.x, 10, single);
-    EXPECT_NEAR(beam.max.x, 14, single);
+    EXPECT_NEAR(beam.max.x, 10 + 3.95, single);
 }
 
 TEST(SegmentMarks, wallIsLitUpToItsOwnHeight) {

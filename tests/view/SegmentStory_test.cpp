@@ -81,8 +81,8 @@ TEST(SegmentStory, isToldWithUnits) {
     EXPECT_EQ(mapped["verdict"], "mapped by ray, 2.5 sigma behind");
     EXPECT_EQ(mapped["wall"], "0: (6.00, 16.00) to (14.00, 16.00) m, sigma 0.030 m");
     EXPECT_EQ(mapped["why"],
-              "It stands 0.10 m behind wall 0, which is 2.5 standard deviations: the map knows "
-              "it.");
+              "It stands on wall 0, 0.10 m behind it, which is 2.5 standard deviations: the map "
+              "knows it.");
     EXPECT_EQ(told(s, 11)["verdict"], "kept: in front of the wall, 5.0 sigma in front");
     EXPECT_EQ(why(s, 11),
               "It stands 0.50 m in front of wall 0, which is 5.0 standard deviations: not the "

@@ -6,9 +6,11 @@
 #include <offmap/view/Render.h>
 
 #include <fmt/format.h>
+#include <mrpt/opengl/CEllipsoid2D.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 namespace offmap::view {
@@ -38,6 +40,10 @@ CSetOfObjects::Ptr Subject::poses() const {
     const auto size = extent.max - extent.min;
     const double arrow = 0.06 * std::max(size.x, size.y);
     auto marks = poseMarksOf(scan, result, arrow, options.palette);
+    for (const auto& mark : *marks) {
+        const auto ellipse = std::dynamic_pointer_cast<mrpt::opengl::CEllipsoid2D>(mark);
+        if (ellipse) ellipse->setLineWidth(2 * options.wallLineWidth);
+    }
     return marks->empty() ? sensorOf(returns, extent, options) : marks;
 }
 

@@ -28,7 +28,7 @@ const core::ScanColumn* middleColumn(const core::OrganizedScan& scan) {
 void addMark(CSetOfObjects& marks, const mrpt::poses::CPose3D& sensorInMap,
              const Eigen::Matrix2d& covariance, double size, const mrpt::img::TColor& colour) {
     const auto s = static_cast<float>(size);
-    auto arrow = mrpt::opengl::CArrow::Create(0, 0, 0, s, 0, 0, 0.3F, 0.06F * s, 0.16F * s);
+    auto arrow = mrpt::opengl::CArrow::Create(0, 0, 0, s, 0, 0, 0.3F, 0.035F * s, 0.11F * s);
     arrow->setColor_u8(colour);
     arrow->enableLight(false);  // from above, it would be lit from behind
     arrow->setPose(sensorInMap);

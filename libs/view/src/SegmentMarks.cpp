@@ -4,6 +4,8 @@
 
 #include <offmap/view/SegmentMarks.h>
 
+#include <mrpt/opengl/CBox.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,11 +16,8 @@ namespace {
 
 using mrpt::math::TPoint2D;
 using mrpt::math::TPoint3D;
-using mrpt::math::TSegment3D;
 using mrpt::opengl::CRenderizable;
 using mrpt::opengl::CSetOfObjects;
-
-constexpr float thick = 6, medium = 3, thin = 1.5F;  // [px]
 
 /// The vertical plane that a segment stands in.
 struct BeamPlane {
@@ -26,36 +25,40 @@ struct BeamPlane {
     TPoint2D along;   ///< unit vector on the ground
     double floor;     ///< [m] z in the map that intervals are drawn at
 
-    /// \param aside [m] to the left of the beam
-    TPoint3D at(double groundRange, double z, double aside = 0) const {
-        return {sensor.x + groundRange * along.x - aside * along.y,
-                sensor.y + groundRange * along.y + aside * along.x, z};
+    TPoint3D at(double groundRange, double z) const {
+        return {sensor.x + groundRange * along.x, sensor.y + groundRange * along.y, z};
     }
 };
+
+/// [m] That marks on the floor are wide, to be seen from where the whole segment is. Lines would
+/// not do: many drivers draw them one pixel wide.
+double widthAt(double groundRange) { return 0.02 + 0.01 * groundRange; }
 
 void insert(CSetOfObjects& marks, const char* name, const CRenderizable::Ptr& mark) {
     mark->setName(name);
     marks.insert(mark);
 }
 
-CRenderizable::Ptr linesOf(const std::vector<TSegment3D>& segments, const mrpt::img::TColor& colour,
-                           float width) {
-    auto lines = mrpt::opengl::CSetOfLines::Create();
-    lines->appendLines(segments);
-    lines->setColor_u8(colour);
-    lines->setLineWidth(width);
-    return lines;
+/// A bar that lies on the floor along the beam. \param aside [m] to the left, of its middle
+CRenderizable::Ptr barOf(const core::Interval& interval, const BeamPlane& plane, double aside,
+                         double width, const mrpt::img::TColor& colour) {
+    const double from = std::max(interval.min(), 0.0), to = std::max(interval.max(), from);
+    auto bar = mrpt::opengl::CBox::Create(TPoint3D(from, aside - 0.5 * width, 0),
+                                          TPoint3D(to, aside + 0.5 * width, width));
+    bar->setPose(mrpt::poses::CPose3D(plane.sensor.x, plane.sensor.y, plane.floor,
+                                      std::atan2(plane.along.y, plane.along.x), 0, 0));
+    bar->setColor_u8(colour);
+    bar->enableLight(false);
+    return bar;
 }
 
-/// An interval on the floor, with a tick across either end.
-CRenderizable::Ptr markOf(const core::Interval& interval, const BeamPlane& plane, double aside,
+CRenderizable::Ptr lineOf(const TPoint3D& from, const TPoint3D& to,
                           const mrpt::img::TColor& colour) {
-    const double tick = 0.4 * std::abs(aside), z = plane.floor;
-    const double from = std::max(interval.min(), 0.0), to = std::max(interval.max(), from);
-    return linesOf({{plane.at(from, z, aside), plane.at(to, z, aside)},
-                    {plane.at(from, z, aside - tick), plane.at(from, z, aside + tick)},
-                    {plane.at(to, z, aside - tick), plane.at(to, z, aside + tick)}},
-                   colour, thick);
+    auto line = mrpt::opengl::CSetOfLines::Create();
+    line->appendLine(from, to);
+    line->setColor_u8(colour);
+    line->setLineWidth(3);
+    return line;
 }
 
 std::vector<mrpt::math::TPoint3Df> placesOf(const core::OrganizedScan& scan,
@@ -94,7 +97,7 @@ void markWall(CSetOfObjects& marks, const core::Wall& wall, double floor, double
     WallStrips strip;
     strip.add(wall, floor, std::isfinite(wall.height.max()) ? wall.height.max() : top);
     auto both = CSetOfObjects::Create();
-    both->insert(strip.lines(colour, medium));
+    both->insert(strip.lines(colour, 3));
     both->insert(strip.surfaces(colour, opacity));
     insert(marks, "wall", both);
 }
@@ -119,7 +122,7 @@ CSetOfObjects::Ptr segmentMarksOf(const core::OrganizedScan& scan,
         planeThrough(places, sensorInMap, std::min(found.bottom.y, found.top.y), wall);
     if (!plane) return marks;
 
-    const double aside = 0.03 + 0.01 * match.measured.centre();  // [m] apart at any range
+    const double width = widthAt(match.measured.centre());
     const double low = plane->sensor.z + found.bottom.y, high = plane->sensor.z + found.top.y;
     std::vector<mrpt::img::TColor> colours(places.size(), palette.highlight);
     const auto cloud = std::make_shared<FastCloud>(std::move(places), std::move(colours));
@@ -127,15 +130,15 @@ CSetOfObjects::Ptr segmentMarksOf(const core::OrganizedScan& scan,
     cloud->enableVariablePointSize(false);
     insert(*marks, "returns", cloud);
     insert(*marks, "line",
-           linesOf({{plane->at(found.bottom.x, low), plane->at(found.top.x, high)}},
-                   palette.highlight, medium));
-    insert(*marks, "beam",
-           linesOf({{plane->at(0, plane->floor), plane->at(found.bottom.x, plane->floor)},
-                    {plane->at(found.bottom.x, plane->floor), plane->at(found.bottom.x, low)}},
-                   palette.highlight, thin));
-    insert(*marks, "measured", markOf(match.measured, *plane, aside, palette.highlight));
+           lineOf(plane->at(found.bottom.x, low), plane->at(found.top.x, high), palette.highlight));
+    insert(
+        *marks, "beam",
+        barOf({0, std::max(0.0, match.measured.min())}, *plane, 0, 0.3 * width, palette.highlight));
+    insert(*marks, "measured",
+           barOf(match.measured, *plane, 0.6 * width, width, palette.highlight));
     if (match.predicted) {
-        insert(*marks, "predicted", markOf(*match.predicted, *plane, -aside, palette.wall));
+        insert(*marks, "predicted",
+               barOf(*match.predicted, *plane, -0.6 * width, width, palette.wall));
     }
     if (wall) markWall(*marks, *wall, plane->floor, std::max(low, high), palette.wall);
     return marks;

@@ -27,12 +27,13 @@ double offsetOf(const SegmentStory& story) {
     return story.measured->centre() - story.predicted->centre();
 }
 
+const char* sideOf(double offset) { return offset < 0 ? "in front of" : "behind"; }
+
 /// "0.42 m in front of wall 17, which is 3.1 standard deviations"
 std::string standing(const SegmentStory& story) {
     const double offset = offsetOf(story);
     return fmt::format("{:.2f} m {} {}, which is {:.1f} standard deviations", std::abs(offset),
-                       offset < 0 ? "in front of" : "behind", wallName(story),
-                       std::abs(story.residual));
+                       sideOf(offset), wallName(story), std::abs(story.residual));
 }
 
 std::string_view whyNoPose(PoseFault fault) {
@@ -93,7 +94,11 @@ std::string whyMapped(const SegmentStory& story) {
             if (!story.predicted) {
                 return fmt::format("It stands on {}: the map knows it.", wallName(story));
             }
-            return fmt::format("It stands {}: the map knows it.", standing(story));
+            return fmt::format(
+                "It stands on {}, {:.2f} m {} it, which is {:.1f} standard deviations: the map "
+                "knows it.",
+                wallName(story), std::abs(offsetOf(story)), sideOf(offsetOf(story)),
+                std::abs(story.residual));
         case Verdict::MappedByExtension:
             return fmt::format("It continues the line of mapped segments along {}.",
                                wallName(story));
