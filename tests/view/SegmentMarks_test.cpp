@@ -10,8 +10,8 @@
 namespace offmap::view {
 namespace {
 
-constexpr double width = 0.02 + 0.01 * 4;  // [m] of the marks on the floor, at 4 m
-constexpr double single = 1e-5;            // [m] rounding of single precision at 20 m
+constexpr double width = 0.04 + 0.015 * 4;  // [m] of the marks on the floor, at 4 m
+constexpr double single = 1e-5;             // [m] rounding of single precision at 20 m
 
 // The second segment stands at map x = 14, from the floor to 2 m; the sensor at (10, 20, 1).
 TEST(SegmentMarks, standWhereTheSegmentDoes) {

@@ -2,11 +2,11 @@
 #include "FastCloud.h"
 #include "WallStrips.h"
 
+#include <offmap/core/WallGeometry.h>
 #include <offmap/view/SegmentMarks.h>
 
-#include <mrpt/opengl/CBox.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -32,19 +32,37 @@ struct BeamPlane {
 
 /// [m] That marks on the floor are wide, to be seen from where the whole segment is. Lines would
 /// not do: many drivers draw them one pixel wide.
-double widthAt(double groundRange) { return 0.02 + 0.01 * groundRange; }
+double widthAt(double groundRange) { return 0.04 + 0.015 * groundRange; }
 
 void insert(CSetOfObjects& marks, const char* name, const CRenderizable::Ptr& mark) {
     mark->setName(name);
     marks.insert(mark);
 }
 
-/// A bar that lies on the floor along the beam. \param aside [m] to the left, of its middle
+/// A bar that lies on the floor along the beam. Of triangles, for MRPT draws a CBox without light
+/// black. \param aside [m] to the left, of its middle
 CRenderizable::Ptr barOf(const core::Interval& interval, const BeamPlane& plane, double aside,
                          double width, const mrpt::img::TColor& colour) {
-    const double from = std::max(interval.min(), 0.0), to = std::max(interval.max(), from);
-    auto bar = mrpt::opengl::CBox::Create(TPoint3D(from, aside - 0.5 * width, 0),
-                                          TPoint3D(to, aside + 0.5 * width, width));
+    const auto from = static_cast<float>(std::max(interval.min(), 0.0));
+    const auto to = std::max(static_cast<float>(interval.max()), from);
+    const auto left = static_cast<float>(aside + 0.5 * width),
+               right = static_cast<float>(aside - 0.5 * width), top = static_cast<float>(width);
+    const std::array<mrpt::math::TPoint3Df, 8> corners{{{from, right, 0},
+                                                        {to, right, 0},
+                                                        {to, left, 0},
+                                                        {from, left, 0},
+                                                        {from, right, top},
+                                                        {to, right, top},
+                                                        {to, left, top},
+                                                        {from, left, top}}};
+    // Its sides and its top; nobody sees it from below.
+    constexpr std::array<std::array<size_t, 4>, 5> faces{
+        {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}}};
+    auto bar = mrpt::opengl::CSetOfTriangles::Create();
+    for (const auto& [a, b, c, d] : faces) {
+        bar->insertTriangle(mrpt::opengl::TTriangle(corners[a], corners[b], corners[c]));
+        bar->insertTriangle(mrpt::opengl::TTriangle(corners[a], corners[c], corners[d]));
+    }
     bar->setPose(mrpt::poses::CPose3D(plane.sensor.x, plane.sensor.y, plane.floor,
                                       std::atan2(plane.along.y, plane.along.x), 0, 0));
     bar->setColor_u8(colour);
@@ -91,9 +109,19 @@ std::optional<BeamPlane> planeThrough(const std::vector<mrpt::math::TPoint3Df>& 
     return plane;
 }
 
+/// A little before the wall, so that both surfaces are not drawn by turns.
+core::Wall nearer(core::Wall wall, const BeamPlane& plane) {
+    constexpr double before = 0.01;  // [m]
+    const TPoint2D foot(plane.sensor.x, plane.sensor.y);
+    const TPoint2D shift = core::normalAwayFrom(plane.along, wall, foot) * before;
+    wall.line.point1 -= shift;
+    wall.line.point2 -= shift;
+    return wall;
+}
+
 void markWall(CSetOfObjects& marks, const core::Wall& wall, double floor, double top,
               const mrpt::img::TColor& colour) {
-    constexpr uint8_t opacity = 70;
+    constexpr uint8_t opacity = 110;
     WallStrips strip;
     strip.add(wall, floor, std::isfinite(wall.height.max()) ? wall.height.max() : top);
     auto both = CSetOfObjects::Create();
@@ -140,7 +168,8 @@ CSetOfObjects::Ptr segmentMarksOf(const core::OrganizedScan& scan,
         insert(*marks, "predicted",
                barOf(*match.predicted, *plane, -0.6 * width, width, palette.wall));
     }
-    if (wall) markWall(*marks, *wall, plane->floor, std::max(low, high), palette.wall);
+    if (wall)
+        markWall(*marks, nearer(*wall, *plane), plane->floor, std::max(low, high), palette.wall);
     return marks;
 }
 
