@@ -80,7 +80,14 @@ TEST_F(Render, wrongChoicesAreTold) {
     expectRefusal(renderArguments({"--elevation-deg", "91"}), 1, HasSubstr("--elevation-deg"));
 }
 
+TEST_F(Render, coloursByIntensity) {
+    const RunResult run = runOffmap(renderArguments({"--colour-by", "intensity"}));
+    EXPECT_EQ(run.exitCode, 0) << testing::PrintToString(run);
+}
+
 TEST_F(Render, scanWithoutIntensitiesIsTold) {
+    SimulatedRobot robot;
+    writeLog(in_, Observations{robot.localisation(), robot.depthCamera()});
     expectRefusal(renderArguments({"--colour-by", "intensity"}), 2,
                   AllOf(HasSubstr("tell no intensities"), HasSubstr("--colour-by")));
 }

@@ -85,24 +85,28 @@ std::shared_ptr<test::DepthImage> depthImageWith(const mrpt::img::CImage& intens
     return obs;
 }
 
-TEST(Intensities, ofDepthCamerasAreThoseOfTheirPixels) {
+TEST(Intensities, ofDepthCamerasAreTheBrightnessOfTheirPixels) {
     mrpt::img::CImage grey(2, 1, mrpt::img::CH_GRAY);
     *grey.ptr<uint8_t>(0, 0) = 51;
     *grey.ptr<uint8_t>(1, 0) = 255;
-    EXPECT_THAT(slotIntensitiesOf({depthImageWith(grey)}, RangeImageScan()),
-                ElementsAre(FloatEq(0.2F), FloatEq(1)));
+    EXPECT_THAT(brightnessOf(*depthImageWith(grey)), ElementsAre(FloatEq(0.2F), FloatEq(1)));
     mrpt::img::CImage colour(2, 1, mrpt::img::CH_RGB);
     colour.setPixel(0, 0, mrpt::img::TColor(0, 255, 0));
     colour.setPixel(1, 0, mrpt::img::TColor(255, 255, 255));
     // Rec. 601: green makes 58.7 % of what is bright.
-    EXPECT_THAT(slotIntensitiesOf({depthImageWith(colour)}, RangeImageScan()),
-                ElementsAre(FloatEq(0.587F), FloatEq(1)));
+    EXPECT_THAT(brightnessOf(*depthImageWith(colour)), ElementsAre(FloatEq(0.587F), FloatEq(1)));
+    const auto obs = depthImageWith(grey);
+    obs->rangeImage(0, 0) = 0;
+    obs->rangeImage(0, 1) = 2000;  // the only return
+    EXPECT_THAT(ofPoints(RangeImageScan(), {obs}), ElementsAre(1));
+    EXPECT_THAT(slotIntensitiesOf({obs}, RangeImageScan()), IsEmpty())
+        << "it tells nothing of ranges";
 }
 
 TEST(Intensities, ofDepthCamerasWithAnotherImageAreNone) {
     mrpt::img::CImage larger(4, 2, mrpt::img::CH_GRAY);
-    EXPECT_THAT(slotIntensitiesOf({depthImageWith(larger)}, RangeImageScan()), IsEmpty());
-    EXPECT_THAT(slotIntensitiesOf({test::emptyDepthImage(2, 1)}, RangeImageScan()), IsEmpty());
+    EXPECT_THAT(brightnessOf(*depthImageWith(larger)), IsEmpty());
+    EXPECT_THAT(brightnessOf(*test::emptyDepthImage(2, 1)), IsEmpty());
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ void insertReturns(CPointsMap& map, const Scan& obs, SlotMask keep) {
 }
 
 /// [0, 1] Rec. 601, as MRPT itself turns colours into grey.
-float brightnessOf(const mrpt::img::CImage& image, size_t pixel) {
+float brightnessAt(const mrpt::img::CImage& image, size_t pixel) {
     const auto colour = colourOf(image, pixel);
     if (!image.isColor()) return colour.x;
     return 0.299F * colour.x + 0.587F * colour.y + 0.114F * colour.z;
@@ -66,13 +66,12 @@ float brightnessOf(const mrpt::img::CImage& image, size_t pixel) {
 
 }  // namespace
 
-std::vector<float> RangeImageScan::intensities(const mrpt::obs::CObservation& observation) const {
-    const Scan& obs = dynamic_cast<const Scan&>(observation);
+std::vector<float> brightnessOf(const Scan& obs) {
     if (!pixelsHaveIntensity(obs)) return {};
     const RangeImage image(obs);
     std::vector<float> out(image.slots());
     for (size_t slot = 0; slot < out.size(); ++slot) {
-        out[slot] = brightnessOf(obs.intensityImage, slot % image.pixels());
+        out[slot] = brightnessAt(obs.intensityImage, slot % image.pixels());
     }
     return out;
 }

@@ -11,7 +11,8 @@ namespace offmap::rawlog {
 /// no observation tells any.
 std::vector<float> slotIntensitiesOf(const Turn& turn, const ScanClass& scanClass);
 
-/// The same for each point of the turn's scan.
+/// The same for each point of the turn's scan, to be looked at: of a depth camera, how bright its
+/// picture is there.
 std::vector<float> pointIntensitiesOf(const Turn& turn, const ScanClass& scanClass,
                                       const core::OrganizedScan& scan);
 

@@ -27,14 +27,17 @@ class RangeImageScan final : public ScanClass {
     size_t slotCount(const mrpt::obs::CObservation& obs) const override;
     TurnScan organize(const Turn& turn, const PoseSource& poses,
                       const SensorConfig& config) const override;
-    /// Of the intensity image, where every pixel has its own in memory; of a colour its brightness.
-    std::vector<float> intensities(const mrpt::obs::CObservation& obs) const override;
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
                                           Leftovers leftovers) const override;
     /// With colour or intensity where every pixel has its own in memory, as the observation says.
     mrpt::obs::CObservation::Ptr asPointCloud(const mrpt::obs::CObservation& obs, SlotMask keep,
                                               const SensorConfig& config) const override;
 };
+
+/// [0, 1] per slot: how bright the camera's picture is there, of colours too; empty unless every
+/// pixel has its own in memory. No ScanClass::intensities(): it tells of the light in the room, not
+/// of the return, and so nothing of how certain its range is.
+std::vector<float> brightnessOf(const mrpt::obs::CObservation3DRangeScan& obs);
 
 /// Why such an observation cannot be reduced. None if it can.
 std::optional<std::string> unsupportedRangeImage(const mrpt::obs::CObservation3DRangeScan& obs);
