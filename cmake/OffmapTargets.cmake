@@ -11,9 +11,13 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(offmap_options INTERFACE -fpch-preprocess)
 endif()
 if(OFFMAP_SANITIZE)
+  set(sanitizers address,undefined)
+  if(OFFMAP_SANITIZE STREQUAL "thread")
+    set(sanitizers thread)
+  endif()
   target_compile_options(offmap_options INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(offmap_options INTERFACE -fsanitize=address,undefined)
+    -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(offmap_options INTERFACE -fsanitize=${sanitizers})
 endif()
 if(OFFMAP_FUZZ)
   target_compile_options(offmap_options INTERFACE -g -fno-omit-frame-pointer
@@ -37,10 +41,10 @@ function(offmap_add_library name)
   target_link_libraries(offmap_${name} PRIVATE $<BUILD_INTERFACE:offmap_options>)
 endfunction()
 
-# offmap_add_test(NAME [LABEL label] [BINARY program] LIBS... SOURCES...): one GTest binary per tested
+# offmap_add_test(NAME [LABEL label] [BINARY program] [TIMEOUT seconds] LIBS... SOURCES...): one GTest binary per tested
 # library; tests of a program are told where it is.
 function(offmap_add_test name)
-  cmake_parse_arguments(ARG "" "LABEL;BINARY" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;BINARY;TIMEOUT" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE offmap_options ${ARG_LIBS} GTest::gtest GTest::gmock)
   # Only for this file, so that ccache knows the others again in another clone.
@@ -51,6 +55,9 @@ function(offmap_add_test name)
   endif()
   set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/main.cpp
     PROPERTIES COMPILE_DEFINITIONS "${places}")
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
   include(GoogleTest)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS "${ARG_LABEL}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABEL}")
 endfunction()

@@ -97,11 +97,11 @@ TEST_F(Replay, jumpsInAPauseAndWaitsThere) {
     source.jumpTo(3);
     source.jumpTo(6);
     EXPECT_EQ(source.next({})->number, 6U);
+    const auto begin = Steady::now();
     std::jthread later([&] {
         std::this_thread::sleep_for(20ms);
         source.step();
     });
-    const auto begin = Steady::now();
     EXPECT_EQ(source.next({})->number, 7U);
     EXPECT_GE(Steady::now() - begin, 19ms) << "the first jump has left nothing to do";
 }

@@ -65,7 +65,7 @@ void appendRow(std::string& rows, const std::string& key, const TruePoint& truth
 }  // namespace
 
 TruthWriter::TruthWriter(Sink sink) : sink_(std::move(sink)) {
-    sink_(std::string(truthHeader) + "\n");
+    sink_(fmt::format("{}\n", truthHeader));
 }
 
 void TruthWriter::add(const ObservationTruth& observation) {

@@ -35,7 +35,6 @@ struct Sensor {
         auto due = Steady::now();
         while (!stop.stop_requested()) {
             driver.doProcess();
-            intake->take(driver.getObservations());
             due = std::max(due + period, Steady::now());
             if (driver.getState() == CGenericSensor::ssError) {
                 // Such a driver helps itself, or is at the end of its recording.
@@ -44,6 +43,7 @@ struct Sensor {
             } else {
                 intake->works(section);
             }
+            intake->take(driver.getObservations());
             waitUntil(due, stop);
         }
     }
