@@ -16,8 +16,8 @@ using Mark = LegendEntry::Mark;
 using mrpt::img::TColor;
 
 // [px] of a figure of 1800 x 900
-constexpr double letters = 15, margin = 16, row = 26, swatch = 13, lineMark = 22, scaleMark = 130,
-                 beside = 8, between = 26;
+constexpr double letters = 15, margin = 16, rowHeight = 26, swatch = 13, lineMark = 22,
+                 scaleMark = 130, beside = 8, between = 26;
 
 /// A length of 1, 2 or 5 times a power of ten that is at most `length`. [m]
 double roundLength(double length) {
@@ -105,7 +105,7 @@ uint32_t FigureSheet::heading(const std::string& title, const std::vector<Legend
         for (const LegendEntry& entry : legend) {
             if (x + widthOf(entry) > right) {
                 x = left;
-                baseline += std::round(row * unit_);
+                baseline += std::round(rowHeight * unit_);
             }
             paint(entry, x, baseline);
             x += widthOf(entry) + unit_ * between;

@@ -37,7 +37,7 @@ class FigureSheet {
  private:
     double widthOf(const LegendEntry& entry);
     void paint(const LegendEntry& entry, double x, double baseline);
-    void paintRow(std::span<const LegendEntry> row, double x, double baseline);
+    void paintRow(std::span<const LegendEntry> entries, double x, double baseline);
 
     uint32_t width_, height_;
     Palette palette_;
