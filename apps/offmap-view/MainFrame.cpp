@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MainFrame.h"
 
+#include "HelpDialogs.h"
+#include "WindowIcon.h"
+#include "WxText.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,7 +26,7 @@ class FileDrop : public wxFileDropTarget {
  public:
     explicit FileDrop(std::function<void(const std::string&)> open) : open_(std::move(open)) {}
     bool OnDropFiles(wxCoord, wxCoord, const wxArrayString& files) override {
-        for (const wxString& file : files) open_(file.utf8_string());
+        for (const wxString& file : files) open_(fromWx(file));
         return !files.empty();
     }
 
@@ -54,7 +58,9 @@ MainFrame::MainFrame(FileReader reader, SessionRequest request, wxConfigBase& se
       workspace_(new Workspace(this)),
       actions_(makeActions()),
       timer_(this),
+      exports_(reader, exportEvents()),
       session_(std::move(reader), sessionEvents()) {
+    SetIcons(windowIcon());
     SetMenuBar(menu_);
     SetMinSize(FromDIP(wxSize(640, 420)));
     SetDropTarget(new FileDrop([this](const std::string& file) { openFile(file); }));
@@ -66,7 +72,10 @@ MainFrame::MainFrame(FileReader reader, SessionRequest request, wxConfigBase& se
     if (!request_.live.from.source.empty() || !request_.live.shared.map.empty()) open();
 }
 
-MainFrame::~MainFrame() { session_.close(); }
+MainFrame::~MainFrame() {
+    exports_.close();
+    session_.close();
+}
 
 Session::Events MainFrame::sessionEvents() {
     Session::Events events;
@@ -88,6 +97,17 @@ Session::Events MainFrame::sessionEvents() {
     };
     events.playback.onLatest = [this](const live::LiveFramePtr& frame) {
         workspace_->stage->take(frame);
+    };
+    return events;
+}
+
+Exports::Events MainFrame::exportEvents() {
+    Exports::Events events;
+    events.onDone = [this](const std::string& message) {
+        CallAfter([this, message] { tell(message); });
+    };
+    events.onFailure = [this](const std::string& message) {
+        CallAfter([this, message] { showFailure(message); });
     };
     return events;
 }
@@ -116,6 +136,7 @@ void MainFrame::wireMenu() {
         if (const auto action = MainMenu::actionOf(event.GetId())) return perform(*action);
         if (const auto log = menu_->recentLog(event.GetId())) return openLog(*log);
         if (const auto map = menu_->recentMap(event.GetId())) return openMap(*map);
+        if (event.GetId() == wxID_ABOUT) return showAbout(this);
         event.Skip();
     });
     Bind(wxEVT_CHAR_HOOK, [this](wxKeyEvent& event) { onKey(event); });
@@ -151,12 +172,11 @@ void MainFrame::showOpened(const Opened& opened) {
     const std::filesystem::path& map = request_.live.shared.map;
     if (!map.empty()) preferences_.addRecentMap(std::filesystem::absolute(map).string());
     menu_->setRecent(preferences_.recentLogs(), preferences_.recentMaps());
-    SetTitle(wxString::FromUTF8(fmt::format(
+    SetTitle(toWx(fmt::format(
         "{} - offmap-view", source.empty() ? map.filename().string() : opened.sourceDescription)));
     if (!opened.warnings.empty()) {
-        workspace_->messages->ShowMessage(
-            wxString::FromUTF8(fmt::format("{}", fmt::join(opened.warnings, "; "))),
-            wxICON_WARNING);
+        workspace_->messages->ShowMessage(toWx(fmt::format("{}", fmt::join(opened.warnings, "; "))),
+                                          wxICON_WARNING);
     }
     withPlayback([&](Playback& playback) {
         if (const auto frame = playback.latest()) workspace_->stage->take(frame);
@@ -165,7 +185,7 @@ void MainFrame::showOpened(const Opened& opened) {
 
 void MainFrame::showFailure(const std::string& message) {
     if (!session_.playback()) SetTitle("offmap-view");
-    workspace_->messages->ShowMessage(wxString::FromUTF8(message), wxICON_ERROR);
+    workspace_->messages->ShowMessage(toWx(message), wxICON_ERROR);
 }
 
 void MainFrame::showScan(const Composed& composed) {
@@ -204,6 +224,7 @@ void MainFrame::restore() {
     state_ = preferences_.load(areas);
     SetSize(state_.window ? *state_.window : wxRect(wxDefaultPosition, FromDIP(wxSize(1400, 880))));
     if (state_.maximised) Maximize();
+    Layout();
     workspace_->setSashes(state_.sashes);
     workspace_->controls->setSpeed(state_.speed);
     setDark(state_.dark);
@@ -230,6 +251,10 @@ void MainFrame::save() {
 void MainFrame::onClose() {
     timer_.Stop();
     save();
+    if (const auto playback = session_.playback(); playback && playback->recording()) {
+        finishRecording(*playback);
+    }
+    exports_.close();
     session_.close();
     Destroy();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Exports.h"
+#include "LiveDialog.h"
 #include "MainMenu.h"
 #include "Preferences.h"
 #include "Session.h"
@@ -42,6 +44,7 @@ class MainFrame : public wxFrame {
     void onClose();
     void onKey(wxKeyEvent& event);
     Session::Events sessionEvents();
+    Exports::Events exportEvents();
 
     // MainFrameActions.cpp
     std::map<Action, std::function<void()>> makeActions();
@@ -57,19 +60,27 @@ class MainFrame : public wxFrame {
     void setPointSize(double pixels);
     void withPlayback(const std::function<void(Playback&)>& act);
     void saveScreenshot();
+    std::string askForTarget(const char* title, const char* name, const char* files);
     void exportFigure();
+    void exportTurns();
     void toggleRecording();
+    void finishRecording(Playback& playback);
+    void tell(const std::string& message);
+    const Theme& theme() const;
 
     Preferences preferences_;
     SessionRequest request_;
     ViewState state_;
-    uint64_t turns_ = 0;  // of the log; 0: not known
+    LiveEntries liveEntries_;
+    std::string recordingTo_;  // the file
+    uint64_t turns_ = 0;       // of the log; 0: not known
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
     app::Interruption interruption_;
     MainMenu* menu_;
     Workspace* workspace_;
     std::map<Action, std::function<void()>> actions_;
     wxTimer timer_;
+    Exports exports_;
     Session session_;  // last: its threads end before the rest does
 };
 

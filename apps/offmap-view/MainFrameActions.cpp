@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "HelpDialogs.h"
 #include "MainFrame.h"
-
-#include <offmap/view/Figure.h>
-#include <offmap/view/Render.h>
+#include "RangeDialog.h"
+#include "WxText.h"
 
 #include <algorithm>
-#include <wx/aboutdlg.h>
 #include <wx/datetime.h>
 #include <wx/filedlg.h>
 
@@ -40,6 +39,7 @@ std::map<Action, std::function<void()>> MainFrame::makeActions() {
         {Action::OpenLive, [this] { askForLiveSource(); }},
         {Action::SaveScreenshot, [this] { saveScreenshot(); }},
         {Action::ExportFigure, [this] { exportFigure(); }},
+        {Action::ExportTurns, [this] { exportTurns(); }},
         {Action::Record, [this] { toggleRecording(); }},
         {Action::Quit, [this] { Close(); }},
         {Action::PlayOrPause, play([](Playback& p) { p.playing() ? p.pause() : p.play(); })},
@@ -66,6 +66,7 @@ std::map<Action, std::function<void()>> MainFrame::makeActions() {
          [this] { setPointSize(workspace_->stage->choices().pointSize + 0.5); }},
         {Action::SwitchTheme, [this] { setDark(!state_.dark); }},
         {Action::FullScreen, [this] { ShowFullScreen(!IsFullScreen()); }},
+        {Action::ShowShortcuts, [this] { ShortcutsDialog(this).ShowModal(); }},
         {Action::ClearSelection, [this] { workspace_->stage->clearSelection(); }},
     };
 }
@@ -79,18 +80,27 @@ void MainFrame::withPlayback(const std::function<void(Playback&)>& act) {
 }
 
 void MainFrame::askForLog() {
-    wxFileDialog dialog(this, "Open a log", state_.folder, "", logFiles,
+    wxFileDialog dialog(this, "Open a log", toWx(state_.folder), "", logFiles,
                         wxFD_OPEN | wxFD_FILE_MUST_EXIST);
-    if (dialog.ShowModal() == wxID_OK) openLog(dialog.GetPath().utf8_string());
+    if (dialog.ShowModal() == wxID_OK) openLog(fromWx(dialog.GetPath()));
 }
 
 void MainFrame::askForMap() {
-    wxFileDialog dialog(this, "Open a map", state_.folder, "", allFiles,
+    wxFileDialog dialog(this, "Open a map", toWx(state_.folder), "", allFiles,
                         wxFD_OPEN | wxFD_FILE_MUST_EXIST);
-    if (dialog.ShowModal() == wxID_OK) openMap(dialog.GetPath().utf8_string());
+    if (dialog.ShowModal() == wxID_OK) openMap(fromWx(dialog.GetPath()));
 }
 
-void MainFrame::askForLiveSource() {}
+void MainFrame::askForLiveSource() {
+    LiveDialog dialog(this, liveEntries_, theme());
+    const bool accepted = dialog.ShowModal() == wxID_OK;
+    liveEntries_ = dialog.entries();
+    if (!accepted) return;
+    request_.live.from = dialog.choice().from;
+    request_.live.shared.poses = dialog.choice().poses;
+    request_.startAt = 0;
+    open();
+}
 
 /// By its name: a log, or else a map.
 void MainFrame::openFile(const std::string& file) {
@@ -119,9 +129,8 @@ void MainFrame::openMap(const std::string& file) {
 
 void MainFrame::setDark(bool dark) {
     state_.dark = dark;
-    const Theme& theme = dark ? Theme::darkOne() : Theme::lightOne();
-    applyToToolkit(theme);
-    workspace_->setTheme(theme);
+    applyToToolkit(theme());
+    workspace_->setTheme(theme());
 }
 
 void MainFrame::change(const std::function<void(SceneChoices&)>& choose) {
@@ -147,16 +156,69 @@ void MainFrame::saveScreenshot() {
         wxDateTime::Now().Format("offmap-view-%Y%m%d-%H%M%S.png").utf8_string();
     const std::filesystem::path file = std::filesystem::current_path() / name;
     const wxImage picture = workspace_->stage->canvas().picture();
-    if (picture.IsOk() && picture.SaveFile(wxString::FromUTF8(file.string()), wxBITMAP_TYPE_PNG)) {
-        workspace_->messages->ShowMessage(wxString::FromUTF8("wrote " + file.string()),
-                                          wxICON_INFORMATION);
+    if (picture.IsOk() && picture.SaveFile(toWx(file.string()), wxBITMAP_TYPE_PNG)) {
+        tell("wrote " + file.string());
     } else {
         showFailure(file.string() + ": the picture cannot be written; is the folder writable?");
     }
 }
 
-void MainFrame::exportFigure() {}
+std::string MainFrame::askForTarget(const char* title, const char* name, const char* files) {
+    wxFileDialog dialog(this, title, toWx(state_.folder), name, files,
+                        wxFD_SAVE | wxFD_OVERWRITE_PROMPT);
+    return dialog.ShowModal() == wxID_OK ? fromWx(dialog.GetPath()) : std::string();
+}
 
-void MainFrame::toggleRecording() {}
+void MainFrame::exportFigure() {
+    const auto playback = session_.playback();
+    const auto frame = playback ? playback->latest() : nullptr;
+    if (!frame) return showFailure("there is no scan to export yet; open a log (Ctrl+O)");
+    const std::string file =
+        askForTarget("Export a figure", "figure.png", "Pictures (*.png)|*.png");
+    if (file.empty()) return;
+    const ScanStage& stage = *workspace_->stage;
+    exports_.writeFigure(frame, stage.sharedMap(), stage.choices(), theme(), file);
+}
+
+void MainFrame::exportTurns() {
+    const auto playback = session_.playback();
+    if (!playback || !playback->canPause()) {
+        return showFailure("only turns of a log can be exported; record what is live (Ctrl+R)");
+    }
+    RangeDialog dialog(this, turns_);
+    if (dialog.ShowModal() != wxID_OK) return;
+    const std::string file =
+        askForTarget("Export reduced turns", "reduced.rawlog", "Logs (*.rawlog)|*.rawlog");
+    if (file.empty()) return;
+    tell("exporting to " + file + " ...");
+    exports_.writeTurns(request_, workspace_->stage->sharedMap(), dialog.range(), file);
+}
+
+void MainFrame::toggleRecording() {
+    const auto playback = session_.playback();
+    if (!playback) return showFailure("there is nothing to record yet; open a log (Ctrl+O)");
+    if (playback->recording()) return finishRecording(*playback);
+    const std::string file =
+        askForTarget("Record the reduced log", "recorded.rawlog", "Logs (*.rawlog)|*.rawlog");
+    if (file.empty()) return;
+    withPlayback([&](Playback& p) { p.record(file); });
+    recordingTo_ = file;
+    tell("recording to " + file + "; Ctrl+R ends it");
+}
+
+void MainFrame::finishRecording(Playback& playback) {
+    try {
+        playback.finishRecording();
+        tell("wrote " + recordingTo_);
+    } catch (const std::exception& error) {
+        showFailure(error.what());
+    }
+}
+
+void MainFrame::tell(const std::string& message) {
+    workspace_->messages->ShowMessage(toWx(message), wxICON_INFORMATION);
+}
+
+const Theme& MainFrame::theme() const { return state_.dark ? Theme::darkOne() : Theme::lightOne(); }
 
 }  // namespace offmap::window

@@ -25,6 +25,7 @@ class ScanStage : public wxPanel {
 
     void setMap(std::shared_ptr<const core::LineMap> map);
     const core::LineMap& map() const { return *map_; }
+    std::shared_ptr<const core::LineMap> sharedMap() const { return map_; }
     /// Any thread may call it; what comes too fast to be drawn is passed over.
     void take(const live::LiveFramePtr& frame);
     void clear();

@@ -17,6 +17,7 @@ constexpr std::array table{
     Shortcut{Action::OpenLive, "File", "Ctrl+L", "Watch a live source"},
     Shortcut{Action::SaveScreenshot, "File", "Ctrl+S", "Save a screenshot"},
     Shortcut{Action::ExportFigure, "File", "Ctrl+E", "Export a figure"},
+    Shortcut{Action::ExportTurns, "File", "Ctrl+T", "Export reduced turns"},
     Shortcut{Action::Record, "File", "Ctrl+R", "Record the reduced log"},
     Shortcut{Action::Quit, "File", "Ctrl+Q", "Quit"},
     Shortcut{Action::PlayOrPause, "Play", "Space", "Play or pause"},

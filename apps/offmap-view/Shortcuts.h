@@ -16,6 +16,7 @@ enum class Action : uint8_t {
     OpenLive,
     SaveScreenshot,
     ExportFigure,
+    ExportTurns,
     Record,
     Quit,
     PlayOrPause,

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 #include <wx/image.h>
+#include <wx/log.h>
 
 namespace offmap::window {
 
@@ -15,6 +16,7 @@ ViewApp::ViewApp(FileReader reader, SessionRequest request)
 
 bool ViewApp::OnInit() {
     wxImage::AddHandler(new wxPNGHandler);
+    const wxLogNull damagedSettings;  // read as none; a dialog about them would help nobody
     settings_ = std::make_unique<wxConfig>("offmap-view");
     auto* frame = new MainFrame(reader_, request_, *settings_);
     frame->Show();

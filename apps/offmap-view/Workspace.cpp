@@ -9,7 +9,9 @@ namespace offmap::window {
 
 namespace {
 
-constexpr int sideWidth = 400, planHeight = 260, verdictHeight = 190, figuresHeight = 330;  // [px]
+/// [px] of the second half if negative, as splitters have it.
+const std::map<std::string, int> usualSashes{
+    {"side", -400}, {"plan", 250}, {"verdict", 150}, {"plots", 300}};
 
 }  // namespace
 
@@ -17,7 +19,7 @@ Workspace::Workspace(wxWindow* parent)
     : wxPanel(parent), controls(new ControlBar(this)), messages(new wxInfoBar(this)) {
     wxSplitterWindow* wide = addSplitter(this, "side", 1.0);
     stage = new ScanStage(wide);
-    wide->SplitVertically(stage, makeSide(wide), -FromDIP(sideWidth));
+    wide->SplitVertically(stage, makeSide(wide));
     timeline = new TimelinePane(this);
     auto* sizer = new wxBoxSizer(wxVERTICAL);
     sizer->Add(controls, 0, wxEXPAND | wxALL, FromDIP(4));
@@ -43,8 +45,8 @@ wxWindow* Workspace::makeSide(wxWindow* parent) {
     plan = new PlanPane(side);
     wxSplitterWindow* lower = addSplitter(side, "verdict", 0.0);
     verdict = new VerdictPane(lower);
-    lower->SplitHorizontally(verdict, makeNotebook(lower), FromDIP(verdictHeight));
-    side->SplitHorizontally(plan, lower, FromDIP(planHeight));
+    lower->SplitHorizontally(verdict, makeNotebook(lower));
+    side->SplitHorizontally(plan, lower);
     return side;
 }
 
@@ -53,7 +55,7 @@ wxWindow* Workspace::makeNotebook(wxWindow* parent) {
     wxSplitterWindow* live = addSplitter(notebook, "plots", 0.5);
     figures = new FiguresPane(live);
     plots = new PlotsPane(live);
-    live->SplitHorizontally(figures, plots, FromDIP(figuresHeight));
+    live->SplitHorizontally(figures, plots);
     parameters = new ParameterPanel(notebook);
     notebook->AddPage(live, "Figures");
     notebook->AddPage(parameters, "Parameters");
@@ -77,9 +79,12 @@ std::map<std::string, int> Workspace::sashes() const {
 }
 
 void Workspace::setSashes(const std::map<std::string, int>& sashes) {
-    for (const auto& [name, position] : sashes) {
-        const auto found = splitters_.find(name);
-        if (found != splitters_.end()) found->second->SetSashPosition(position);
+    // From the outside in: each moves those within.
+    for (const char* name : {"side", "plan", "verdict", "plots"}) {
+        const auto saved = sashes.find(name);
+        splitters_.at(name)->SetSashPosition(saved == sashes.end() ? FromDIP(usualSashes.at(name))
+                                                                   : saved->second);
+        Layout();
     }
 }
 

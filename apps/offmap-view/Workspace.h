@@ -37,6 +37,7 @@ class Workspace : public wxPanel {
 
     void setTheme(const Theme& theme);
     std::map<std::string, int> sashes() const;  ///< [px] by name
+    /// Those that are not named stand where they usually do.
     void setSashes(const std::map<std::string, int>& sashes);
 
  private:
