@@ -9,10 +9,13 @@
 #include <fmt/ranges.h>
 
 #include <utility>
+#include <wx/anybutton.h>
+#include <wx/checkbox.h>
+#include <wx/choice.h>
 #include <wx/display.h>
 #include <wx/dnd.h>
 #include <wx/sizer.h>
-#include <wx/spinctrl.h>
+#include <wx/slider.h>
 #include <wx/textctrl.h>
 
 namespace offmap::window {
@@ -42,10 +45,16 @@ std::vector<wxRect> screens() {
     return areas;
 }
 
-/// Whether keys are text there.
-bool isTypedInto(const wxWindow* focus) {
-    return dynamic_cast<const wxTextEntry*>(focus) != nullptr || wxDynamicCast(focus, wxSpinCtrl) ||
-           wxDynamicCast(focus, wxSpinCtrlDouble);
+/// Whether a key means something to what has the focus.
+bool isFor(const wxWindow* focus, Action action) {
+    const auto* text = dynamic_cast<const wxTextEntry*>(focus);
+    if (text) return text->IsEditable();
+    const bool pressed = wxDynamicCast(focus, wxAnyButton) || wxDynamicCast(focus, wxCheckBox) ||
+                         wxDynamicCast(focus, wxChoice);
+    const bool moved = wxDynamicCast(focus, wxSlider) || wxDynamicCast(focus, TimelinePane);
+    const bool isArrow = action == Action::StepForward || action == Action::StepBack;
+    return (pressed && action == Action::PlayOrPause) ||
+           (moved && (isArrow || action == Action::FirstTurn));
 }
 
 }  // namespace
@@ -69,6 +78,7 @@ MainFrame::MainFrame(FileReader reader, SessionRequest request, wxConfigBase& se
     restore();
     workspace_->parameters->setConfig(request_.config);
     timer_.Start(pause);
+    workspace_->stage->canvas().SetFocus();
     if (!request_.live.from.source.empty() || !request_.live.shared.map.empty()) open();
 }
 
@@ -147,9 +157,7 @@ void MainFrame::wireMenu() {
 
 void MainFrame::onKey(wxKeyEvent& event) {
     const auto action = actionOf(event);
-    const bool plain = !event.ControlDown();
-    const bool ofTimeline = workspace_->timeline->HasFocus() && plain;
-    if (!action || (plain && isTypedInto(FindFocus())) || ofTimeline) return event.Skip();
+    if (!action || (!event.ControlDown() && isFor(FindFocus(), *action))) return event.Skip();
     perform(*action);
 }
 

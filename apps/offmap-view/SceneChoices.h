@@ -11,7 +11,7 @@ namespace offmap::window {
 /// What of a scan is drawn, and how.
 struct SceneChoices {
     view::ColourBy colourBy = view::ColourBy::Label;
-    double pointSize = 3;  ///< [px]
+    double pointSize = 2.5;  ///< [px]
     Shown shown;
 };
 

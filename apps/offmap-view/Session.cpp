@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
+#include "TurnCount.h"
 #include "input/LoadedMap.h"
 
 #include <fmt/format.h>
@@ -13,17 +14,6 @@
 namespace offmap::window {
 
 namespace {
-
-/// Each scan is a turn, except those of scanners in a plane that is turned: only reading all of
-/// them tells their number.
-uint64_t turnsIn(const rawlog::LogSurvey& survey) {
-    uint64_t turns = 0;
-    for (const auto& [label, sensor] : survey.sensors) {
-        if (sensor.sweep.isSweep()) return 0;
-        if (sensor.scans3d) turns += sensor.observations;
-    }
-    return turns;
-}
 
 /// Why a log has nothing to show.
 std::string nothingToShow(const std::string& log, const rawlog::LogSurvey& survey) {
@@ -150,7 +140,9 @@ std::shared_ptr<Playback> Session::openSource(const SessionRequest& request, Ope
     if (input.survey && input.survey->damage) {
         opened.warnings.emplace_back(input.survey->damage->what());
     }
-    if (input.replay) opened.turns = turnsIn(*input.survey);
+    if (input.replay) {
+        opened.turns = turnsIn(live.from.source, *input.survey, request.config, live.onEntry);
+    }
     live::LiveSetup setup{opened.map, input.poses, request.config};
     return std::make_shared<Playback>(std::move(input), std::move(setup), events_.playback,
                                       request.play, request.startAt);

@@ -26,7 +26,7 @@ struct Opened {
     std::shared_ptr<const core::LineMap> map;                         ///< never null
     std::string mapDescription, sourceDescription, posesDescription;  ///< empty: there is none
     std::vector<std::string> warnings;
-    uint64_t turns = 0;  ///< of the log; 0 where that is not known before its end
+    uint64_t turns = 0;  ///< of the log; 0 of what has no known end
 };
 
 /// Opens maps and sources on a thread of its own; the functions return at once.

@@ -32,7 +32,7 @@ struct ViewState {
     std::optional<view::Camera> camera;  ///< none: the whole map in view
 
     bool dark = true;
-    double pointSize = 3;  ///< [px]
+    double pointSize = 2.5;  ///< [px]
     view::ColourBy colourBy = view::ColourBy::Label;
     Shown shown;
 

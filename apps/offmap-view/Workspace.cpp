@@ -10,8 +10,7 @@ namespace offmap::window {
 namespace {
 
 /// [px] of the second half if negative, as splitters have it.
-const std::map<std::string, int> usualSashes{
-    {"side", -400}, {"plan", 250}, {"verdict", 150}, {"plots", 300}};
+const std::map<std::string, int> usualSashes{{"side", -400}, {"plan", 250}, {"verdict", 150}};
 
 }  // namespace
 
@@ -52,12 +51,11 @@ wxWindow* Workspace::makeSide(wxWindow* parent) {
 
 wxWindow* Workspace::makeNotebook(wxWindow* parent) {
     auto* notebook = new wxNotebook(parent, wxID_ANY);
-    wxSplitterWindow* live = addSplitter(notebook, "plots", 0.5);
-    figures = new FiguresPane(live);
-    plots = new PlotsPane(live);
-    live->SplitHorizontally(figures, plots);
+    figures = new FiguresPane(notebook);
+    plots = new PlotsPane(notebook);
     parameters = new ParameterPanel(notebook);
-    notebook->AddPage(live, "Figures");
+    notebook->AddPage(figures, "Figures");
+    notebook->AddPage(plots, "Plots");
     notebook->AddPage(parameters, "Parameters");
     return notebook;
 }
@@ -80,7 +78,7 @@ std::map<std::string, int> Workspace::sashes() const {
 
 void Workspace::setSashes(const std::map<std::string, int>& sashes) {
     // From the outside in: each moves those within.
-    for (const char* name : {"side", "plan", "verdict", "plots"}) {
+    for (const char* name : {"side", "plan", "verdict"}) {
         const auto saved = sashes.find(name);
         splitters_.at(name)->SetSashPosition(saved == sashes.end() ? FromDIP(usualSashes.at(name))
                                                                    : saved->second);
