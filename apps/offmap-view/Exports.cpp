@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exports.h"
 
+#include "FrameIntensities.h"
 #include "input/LiveRecorder.h"
 
 #include <offmap/live/LiveReduction.h>
@@ -105,6 +106,7 @@ void Exports::writeFigure(const live::LiveFramePtr& frame, std::shared_ptr<const
                           const SceneChoices& choices, const Theme& theme,
                           const std::filesystem::path& file) {
     view::FigureOptions options;
+    options.intensities = intensitiesOf(*frame);
     options.title = fmt::format("turn {}", frame->arrived.number + 1);
     options.colourBy = choices.colourBy;
     options.scene = sceneOptionsOf(choices, theme.palette);

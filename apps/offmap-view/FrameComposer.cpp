@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameComposer.h"
 
+#include "FrameIntensities.h"
+
+#include <offmap/view/CorrectedScan.h>
 #include <offmap/view/PoseMarks.h>
 #include <offmap/view/Scene.h>
 
@@ -16,21 +19,22 @@ const mrpt::poses::CPose3D nowhere;
 
 ComposedPtr composedOf(const live::LiveFramePtr& frame, const SceneChoices& choices,
                        const view::Palette& palette) {
-    const auto& scan = frame->reduced.organized.scan;
+    const auto& stated = frame->reduced.organized.scan;
     auto out = std::make_shared<Composed>();
     out->frame = frame;
-    out->returns = view::placedReturns(scan, frame->result.labels, nowhere);
+    out->scan = view::correctedScan(stated, frame->result);
+    out->returns = view::placedReturns(out->scan, frame->result.labels, nowhere);
     out->extent = view::extentOf(out->returns);
     if (choices.colourBy != view::ColourBy::Label) {
-        out->returns.colours =
-            view::coloursOf(out->returns, scan, frame->result, choices.colourBy, palette);
+        out->returns.colours = view::coloursOf(out->returns, out->scan, frame->result,
+                                               choices.colourBy, palette, intensitiesOf(*frame));
     }
     out->cloud = view::returnsOf(out->returns, sceneOptionsOf(choices, palette));
     const double width =
         std::max(out->extent.max.x - out->extent.min.x, out->extent.max.y - out->extent.min.y);
     constexpr double arrow = 0.06;  // of the picture's width
     if (choices.shown.ellipse) {
-        out->poses = view::poseMarksOf(scan, frame->result, arrow * width, palette);
+        out->poses = view::poseMarksOf(stated, frame->result, arrow * width, palette);
     }
     return out;
 }

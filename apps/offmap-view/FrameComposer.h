@@ -21,6 +21,7 @@ namespace offmap::window {
 /// A result that is ready to be drawn. Its objects belong to the canvas that draws them first.
 struct Composed {
     live::LiveFramePtr frame;
+    core::OrganizedScan scan;  ///< where it was found to have been taken from
     view::PlacedReturns returns;
     mrpt::math::TBoundingBox extent;                ///< [m] map frame, worth looking at
     mrpt::opengl::CSetOfObjects::Ptr cloud, poses;  ///< for the scene

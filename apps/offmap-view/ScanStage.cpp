@@ -186,7 +186,7 @@ void ScanStage::pickAlong(const view::SightLine& line) {
                    view::hiddenReturns(shown_->returns, sceneOptionsOf(choices_, theme_->palette)));
     if (!picked) return clearSelection();
     const live::LiveFrame& frame = *shown_->frame;
-    const auto& scan = frame.reduced.organized.scan;
+    const core::OrganizedScan& scan = shown_->scan;
     const auto story = view::storyOf(scan, frame.result, shown_->returns.indices[*picked]);
     canvas_->setPart(ScanCanvas::Part::Marks,
                      story.segment ? view::segmentMarksOf(scan, frame.result, *map_, *story.segment,

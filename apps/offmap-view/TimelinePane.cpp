@@ -152,10 +152,9 @@ void TimelinePane::drawNumbers(wxGraphicsContext& canvas, const wxRect2DDouble& 
     const double y = strip.GetBottom() + FromDIP(14);
     const auto most = static_cast<size_t>(strip.m_width / FromDIP(80)) + 1;
     canvas.SetPen(wxPen(theme().grid, 1));
-    for (const AxisTick& tick :
-         axisTicks(static_cast<double>(history_.shownFrom()),
-                   static_cast<double>(history_.shownTo() - 1), most, true)) {
-        const double share = history_.shareOf(static_cast<uint64_t>(tick.value));
+    for (const AxisTick& tick : axisTicks(static_cast<double>(history_.shownFrom() + 1),
+                                          static_cast<double>(history_.shownTo()), most, true)) {
+        const double share = history_.shareOf(static_cast<uint64_t>(tick.value) - 1);
         const double x = std::floor(strip.m_x + share * strip.m_width) + 0.5;
         canvas.StrokeLine(x, strip.m_y, x, strip.GetBottom());
         drawText(canvas, tick.label, x, y, Beside::Centre);
@@ -204,7 +203,7 @@ void TimelinePane::explainTurn(uint64_t number) {
     explained_ = number;
     const auto figures = history_.at(number);
     const char* about = history_.turnsPerPlace() > 1 ? "about turn" : "turn";
-    const std::string name = fmt::format("{} {}", about, rawlog::grouped(number));
+    const std::string name = fmt::format("{} {}", about, rawlog::grouped(number + 1));
     SetToolTip(
         wxString::FromUTF8(figures ? fmt::format("{}: {:.1f} % removed, {:.2f} ms{}", name,
                                                  100 * figures->removedShare, figures->milliseconds,

