@@ -22,7 +22,8 @@ wxColour colourOf(FigureRow::Mood mood, const Theme& theme) {
 
 }  // namespace
 
-FiguresPane::FiguresPane(wxWindow* parent) : wxPanel(parent) {
+FiguresPane::FiguresPane(wxWindow* parent) : wxScrolledWindow(parent) {
+    SetScrollRate(0, FromDIP(8));
     SetFont(GetFont().Scaled(0.92F));
     auto* grid = new wxFlexGridSizer(3, FromDIP(wxSize(8, 3)));
     grid->AddGrowableCol(2, 1);

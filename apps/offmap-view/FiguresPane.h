@@ -5,13 +5,13 @@
 #include "Theme.h"
 
 #include <vector>
-#include <wx/panel.h>
+#include <wx/scrolwin.h>
 #include <wx/stattext.h>
 
 namespace offmap::window {
 
 /// How a reduction is going and what became of its latest turn, in figures.
-class FiguresPane : public wxPanel {
+class FiguresPane : public wxScrolledWindow {
  public:
     explicit FiguresPane(wxWindow* parent);
 

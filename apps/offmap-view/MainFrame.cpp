@@ -193,6 +193,7 @@ void MainFrame::showOpened(const Opened& opened) {
 
 void MainFrame::showFailure(const std::string& message) {
     if (!session_.playback()) SetTitle("offmap-view");
+    toldAt_.reset();
     workspace_->messages->ShowMessage(toWx(message), wxICON_ERROR);
 }
 
@@ -212,8 +213,16 @@ void MainFrame::showStory(const view::SegmentStory* story) {
     workspace_->verdict->show(lines, sentence);
 }
 
+void MainFrame::dismissOldMessage() {
+    constexpr std::chrono::seconds readable{6};
+    if (!toldAt_ || std::chrono::steady_clock::now() - *toldAt_ < readable) return;
+    toldAt_.reset();
+    workspace_->messages->Dismiss();
+}
+
 void MainFrame::onTimer() {
-    if (interruption_.came()) Close(true);
+    if (interruption_.came()) return static_cast<void>(Close(true));
+    dismissOldMessage();
     const auto playback = session_.playback();
     workspace_->controls->setPlaying(playback && playback->playing(),
                                      playback && playback->canPause());

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <wx/config.h>
 #include <wx/frame.h>
 #include <wx/timer.h>
@@ -41,6 +42,7 @@ class MainFrame : public wxFrame {
     void showStory(const view::SegmentStory* story);
     void showFailure(const std::string& message);
     void onTimer();
+    void dismissOldMessage();
     void onClose();
     void onKey(wxKeyEvent& event);
     Session::Events sessionEvents();
@@ -72,8 +74,9 @@ class MainFrame : public wxFrame {
     SessionRequest request_;
     ViewState state_;
     LiveEntries liveEntries_;
-    std::string recordingTo_;  // the file
-    uint64_t turns_ = 0;       // of the log; 0: not known
+    std::string recordingTo_;                                      // the file
+    std::optional<std::chrono::steady_clock::time_point> toldAt_;  // what need not be read for long
+    uint64_t turns_ = 0;                                           // of the log; 0: not known
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
     app::Interruption interruption_;
     MainMenu* menu_;

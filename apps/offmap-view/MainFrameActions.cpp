@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelpDialogs.h"
 #include "MainFrame.h"
+#include "PictureFile.h"
 #include "RangeDialog.h"
 #include "WxText.h"
 
@@ -152,14 +153,13 @@ void MainFrame::setCameraMode(CameraMode mode) {
 }
 
 void MainFrame::saveScreenshot() {
-    const std::string name =
-        wxDateTime::Now().Format("offmap-view-%Y%m%d-%H%M%S.png").utf8_string();
+    const std::string name = fromWx(wxDateTime::Now().Format("offmap-view-%Y%m%d-%H%M%S.png"));
     const std::filesystem::path file = std::filesystem::current_path() / name;
-    const wxImage picture = workspace_->stage->canvas().picture();
-    if (picture.IsOk() && picture.SaveFile(toWx(file.string()), wxBITMAP_TYPE_PNG)) {
+    try {
+        writePicture(workspace_->stage->canvas().picture(), file);
         tell("wrote " + file.string());
-    } else {
-        showFailure(file.string() + ": the picture cannot be written; is the folder writable?");
+    } catch (const std::exception& error) {
+        showFailure(error.what());
     }
 }
 
@@ -216,6 +216,7 @@ void MainFrame::finishRecording(Playback& playback) {
 }
 
 void MainFrame::tell(const std::string& message) {
+    toldAt_ = std::chrono::steady_clock::now();
     workspace_->messages->ShowMessage(toWx(message), wxICON_INFORMATION);
 }
 

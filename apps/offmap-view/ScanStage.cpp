@@ -172,6 +172,10 @@ void ScanStage::clearSelection() {
     onPicked(nullptr);
 }
 
+std::vector<uint8_t> ScanStage::hiddenBy(const SceneChoices& choices) const {
+    return view::hiddenReturns(shown_->returns, sceneOptionsOf(choices, theme_->palette));
+}
+
 void ScanStage::pickAlong(const view::SightLine& line) {
     if (!shown_) return;
     constexpr double reach = 5;  // [px] beside a return that still means it
@@ -181,9 +185,10 @@ void ScanStage::pickAlong(const view::SightLine& line) {
     const view::ViewRay ray{line.origin, line.direction,
                             parallel ? 0 : std::atan(reach * perPixel / camera().distance),
                             parallel ? reach * perPixel : 0};
-    const auto picked =
-        view::pick(shown_->returns, ray,
-                   view::hiddenReturns(shown_->returns, sceneOptionsOf(choices_, theme_->palette)));
+    SceneChoices sought = choices_;
+    sought.shown.rest = false;  // what lies on a segment is rather meant than floor and ceiling
+    auto picked = view::pick(shown_->returns, ray, hiddenBy(sought));
+    if (!picked) picked = view::pick(shown_->returns, ray, hiddenBy(choices_));
     if (!picked) return clearSelection();
     const live::LiveFrame& frame = *shown_->frame;
     const core::OrganizedScan& scan = shown_->scan;

@@ -55,6 +55,7 @@ class ScanStage : public wxPanel {
     void showWalls();
     void follow(const Composed& composed);
     void pickAlong(const view::SightLine& line);
+    std::vector<uint8_t> hiddenBy(const SceneChoices& choices) const;
     void composeAgain();
 
     ScanCanvas* canvas_;

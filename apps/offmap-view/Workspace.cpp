@@ -10,7 +10,7 @@ namespace offmap::window {
 namespace {
 
 /// [px] of the second half if negative, as splitters have it.
-const std::map<std::string, int> usualSashes{{"side", -400}, {"plan", 230}, {"verdict", 205}};
+const std::map<std::string, int> usualSashes{{"side", -400}, {"plan", 200}, {"verdict", 215}};
 
 }  // namespace
 
