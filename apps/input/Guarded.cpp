@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "UsageError.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 
@@ -14,7 +15,7 @@ namespace {
 
 int exitCodeOfInterruption(int signal) {
     constexpr int firstSignal = 128;
-    say(stderr, "offmap: interrupted; nothing was written\n");
+    say(stderr, "{}: interrupted; nothing was written\n", program_invocation_short_name);
     return firstSignal + signal;
 }
 
@@ -24,14 +25,14 @@ int reportingErrors(const std::function<int()>& work) {
     try {
         return work();
     } catch (const UsageError& error) {
-        say(stderr, "offmap: {}\n", error.what());
+        say(stderr, "{}: {}\n", program_invocation_short_name, error.what());
         return exitUsage;
     } catch (const AlreadyTold& told) {
         return told.exitCode();
     } catch (const Interrupted& interrupted) {
         return exitCodeOfInterruption(interrupted.signal());
     } catch (const std::exception& error) {
-        say(stderr, "offmap: {}\n", error.what());
+        say(stderr, "{}: {}\n", program_invocation_short_name, error.what());
         return exitFailed;
     }
 }

@@ -61,6 +61,9 @@ LiveInput replay(const LiveRequest& request, const rawlog::Config& config) {
         input.poses = std::move(poses.source);
         input.posesDescription = poses.description;
         input.warning = poses.warning;
+        if (poses.origin == rawlog::PoseOrigin::None) {
+            input.warning = fmt::format("all is kept: {} {}", log.string(), posesNeeded);
+        }
     } else {
         track(request, config, input);
     }

@@ -136,7 +136,8 @@ void ControlBar::setTheme(const Theme& theme) {
         const Icon icon =
             button.control == playButton_ && playing_ ? Icon::Pause : iconOfAction(button.action);
         button.control->SetBitmap(iconOf(icon, theme.text));
-        button.control->SetBitmapDisabled(iconOf(icon, theme.grid));
+        button.control->SetBitmapDisabled(
+            iconOf(icon, theme.subtle.ChangeLightness(theme.dark ? 60 : 150)));
     }
 }
 

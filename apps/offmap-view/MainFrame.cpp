@@ -79,7 +79,12 @@ MainFrame::MainFrame(FileReader reader, SessionRequest request, wxConfigBase& se
     workspace_->parameters->setConfig(request_.config);
     timer_.Start(pause);
     workspace_->stage->canvas().SetFocus();
-    if (!request_.live.from.source.empty() || !request_.live.shared.map.empty()) open();
+    if (!request_.live.from.source.empty() || !request_.live.shared.map.empty()) {
+        open();
+    } else {
+        workspace_->messages->ShowMessage(
+            "Open a log (Ctrl+O) and a map (Ctrl+M), or drop them here", wxICON_INFORMATION);
+    }
 }
 
 MainFrame::~MainFrame() {
@@ -93,7 +98,7 @@ Session::Events MainFrame::sessionEvents() {
         CallAfter([this, opened] { showOpened(opened); });
     };
     events.onFailure = [this](const std::string& message) {
-        CallAfter([this, message] { showFailure(message); });
+        CallAfter([this, message] { showNothing(message); });
     };
     events.playback.onFrame = [this](const live::LiveFramePtr& frame) {
         const auto& record = frame->reduced.record;
@@ -169,12 +174,10 @@ void MainFrame::open() {
 
 void MainFrame::showOpened(const Opened& opened) {
     turns_ = opened.turns;
+    workspace_->clear();
     workspace_->stage->setMap(opened.map);
     workspace_->plan->setMap(opened.map);
-    workspace_->plan->clearTrajectory();
     workspace_->timeline->setTurns(turns_);
-    workspace_->plots->clear();
-    workspace_->figures->clear();
     const std::string& source = request_.live.from.source;
     if (!source.empty()) preferences_.addRecentLog(std::filesystem::absolute(source).string());
     const std::filesystem::path& map = request_.live.shared.map;
@@ -192,9 +195,15 @@ void MainFrame::showOpened(const Opened& opened) {
 }
 
 void MainFrame::showFailure(const std::string& message) {
-    if (!session_.playback()) SetTitle("offmap-view");
     toldAt_.reset();
     workspace_->messages->ShowMessage(toWx(message), wxICON_ERROR);
+}
+
+void MainFrame::showNothing(const std::string& why) {
+    workspace_->clear();
+    turns_ = 0;
+    SetTitle("offmap-view");
+    showFailure(why);
 }
 
 void MainFrame::showScan(const Composed& composed) {

@@ -40,6 +40,7 @@ class MainFrame : public wxFrame {
     void showOpened(const Opened& opened);
     void showScan(const Composed& composed);
     void showStory(const view::SegmentStory* story);
+    void showNothing(const std::string& why);
     void showFailure(const std::string& message);
     void onTimer();
     void dismissOldMessage();

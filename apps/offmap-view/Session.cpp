@@ -17,6 +17,7 @@ namespace {
 
 /// Why a log has nothing to show.
 std::string nothingToShow(const std::string& log, const rawlog::LogSurvey& survey) {
+    if (survey.damage) return survey.damage->what();
     std::vector<std::string> classes;
     for (const auto& [label, sensor] : survey.sensors) {
         classes.push_back(sensor.unsupported.value_or(sensor.className));
@@ -136,7 +137,10 @@ std::shared_ptr<Playback> Session::openSource(const SessionRequest& request, Ope
     }
     opened.sourceDescription = input.description;
     opened.posesDescription = input.posesDescription;
-    if (!input.warning.empty()) opened.warnings.push_back(input.warning);
+    if (opened.map->walls().empty()) {
+        opened.warnings.emplace_back("no map: nothing can be removed; open one (Ctrl+M)");
+    } else if (!input.warning.empty())
+        opened.warnings.push_back(input.warning);
     if (input.survey && input.survey->damage) {
         opened.warnings.emplace_back(input.survey->damage->what());
     }

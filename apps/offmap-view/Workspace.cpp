@@ -70,6 +70,19 @@ void Workspace::setTheme(const Theme& theme) {
     timeline->setTheme(theme);
 }
 
+void Workspace::clear() {
+    const auto nothing = std::make_shared<core::LineMap>(std::vector<core::Wall>());
+    stage->setMap(nothing);
+    plan->setMap(nothing);
+    plan->show(nullptr);
+    plan->clearTrajectory();
+    timeline->setTurns(0);
+    plots->clear();
+    figures->clear();
+    verdict->clear();
+    controls->setPlace({}, 0);
+}
+
 std::map<std::string, int> Workspace::sashes() const {
     std::map<std::string, int> positions;
     for (const auto& [name, splitter] : splitters_) positions[name] = splitter->GetSashPosition();

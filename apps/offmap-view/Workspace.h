@@ -36,6 +36,8 @@ class Workspace : public wxPanel {
     TimelinePane* timeline;
 
     void setTheme(const Theme& theme);
+    /// Nothing is open.
+    void clear();
     std::map<std::string, int> sashes() const;  ///< [px] by name
     /// Those that are not named stand where they usually do.
     void setSashes(const std::map<std::string, int>& sashes);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileReader.h"
+#include "Theme.h"
 #include "ViewApp.h"
 #include "ViewOptions.h"
 #include "input/Console.h"
@@ -9,7 +10,9 @@
 #include <offmap/rawlog/RegisterClasses.h>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 #include <wx/init.h>
@@ -24,6 +27,11 @@ int show(const ViewOptions& options, const std::vector<std::string>& arguments, 
     request.config = options.shared.readConfig();
     request.play = options.play;
     offmap::rawlog::registerMrptClasses();
+    if (!hasScreen()) {
+        throw std::runtime_error(
+            "there is no screen to open a window on (DISPLAY); `offmap live` and `offmap render` "
+            "need none");
+    }
     wxApp::SetInstance(new ViewApp(FileReader(arguments), std::move(request)));
     int argc = 1;  // the toolkit has no options of its own
     return wxEntry(argc, argv);
@@ -37,6 +45,10 @@ int main(int argc, char** argv) {
     if (FileReader::isWanted(argc, argv)) return FileReader::run(argc, argv);
     CLI::App app("Watch what offmap takes out of 3D scans: live, or along a log.", "offmap-view");
     app.set_version_flag("--version", "offmap-view " OFFMAP_VERSION);
+    app.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return fmt::format("offmap-view: {}; offmap-view --help tells what it takes\n",
+                           error.what());
+    });
     ViewOptions options;
     options.addTo(app);
     return reportingErrors([&] {
