@@ -33,7 +33,7 @@ wxSpinCtrl* RangeDialog::addField(wxSizer& grid, const char* name, int value, in
 }
 
 TurnRange RangeDialog::range() const {
-    const auto [first, last] = std::minmax(first_->GetValue(), last_->GetValue());
+    const auto [first, last] = std::minmax({first_->GetValue(), last_->GetValue()});
     return {static_cast<uint64_t>(first) - 1, static_cast<uint64_t>(last) - 1};
 }
 

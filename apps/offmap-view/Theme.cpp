@@ -52,8 +52,6 @@ const Theme& Theme::lightOne() {
 
 wxColour toWx(const mrpt::img::TColor& colour) { return {colour.R, colour.G, colour.B, colour.A}; }
 
-bool hasScreen() { return gtk_init_check(nullptr, nullptr) == TRUE; }
-
 void applyToToolkit(const Theme& theme) {
     g_object_set(gtk_settings_get_default(), "gtk-application-prefer-dark-theme",
                  static_cast<gboolean>(theme.dark), nullptr);

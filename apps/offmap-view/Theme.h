@@ -26,9 +26,6 @@ struct Theme {
 
 wxColour toWx(const mrpt::img::TColor& colour);
 
-/// Whether there is a screen to open a window on.
-bool hasScreen();
-
 /// Buttons, lists and menus become dark or light. Only with a screen.
 void applyToToolkit(const Theme& theme);
 

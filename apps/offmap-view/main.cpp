@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileReader.h"
-#include "Theme.h"
+#include "Screen.h"
 #include "ViewApp.h"
 #include "ViewOptions.h"
 #include "input/Console.h"
@@ -12,7 +12,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 #include <wx/init.h>
@@ -27,11 +26,7 @@ int show(const ViewOptions& options, const std::vector<std::string>& arguments, 
     request.config = options.shared.readConfig();
     request.play = options.play;
     offmap::rawlog::registerMrptClasses();
-    if (!hasScreen()) {
-        throw std::runtime_error(
-            "there is no screen to open a window on (DISPLAY); `offmap live` and `offmap render` "
-            "need none");
-    }
+    requireScreen();
     wxApp::SetInstance(new ViewApp(FileReader(arguments), std::move(request)));
     int argc = 1;  // the toolkit has no options of its own
     return wxEntry(argc, argv);
