@@ -62,7 +62,7 @@ app::Bytes FileReader::ask(const std::string& task, const std::filesystem::path&
     }
     words.emplace_back(endOfSettings);
     words.insert(words.end(), arguments_.begin(), arguments_.end());
-    ChildOutcome outcome = runThisProgram(words, stop);
+    ChildOutcome outcome = runProgram(program_, words, stop);
     if (stop.stop_requested()) throw Stopped();
     if (outcome.exitCode == gaveBytes) return std::move(outcome.output);
     if (outcome.exitCode == gaveMessage && !outcome.output.empty()) {

@@ -19,12 +19,15 @@ class Stopped : public std::runtime_error {
     Stopped() : std::runtime_error("stopped") {}
 };
 
-/// Reads files with this very program in a process of its own: what damaged files do to their
+/// Reads files with this program in a process of its own: what damaged files do to their
 /// readers happens there, and a window, whose threads hold locks, cannot fork.
 class FileReader {
  public:
     /// \param arguments of the command line, which tell how maps are read
-    explicit FileReader(std::vector<std::string> arguments) : arguments_(std::move(arguments)) {}
+    /// \param program offmap-view, if not this very one
+    explicit FileReader(std::vector<std::string> arguments,
+                        std::filesystem::path program = "/proc/self/exe")
+        : arguments_(std::move(arguments)), program_(std::move(program)) {}
 
     /// All \throw std::runtime_error with a message for the user; Stopped
     maps::MapOfFile readMap(const std::filesystem::path& map, const rawlog::Config& config,
@@ -42,6 +45,7 @@ class FileReader {
                              const rawlog::Config& config, const std::stop_token& stop) const;
 
     std::vector<std::string> arguments_;
+    std::filesystem::path program_;
 };
 
 }  // namespace offmap::window
