@@ -15,8 +15,6 @@ namespace offmap::window {
 
 namespace {
 
-constexpr const char* thisProgram = "/proc/self/exe";
-
 void require(int error, const char* what) {
     if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
@@ -45,7 +43,8 @@ class Pipe {
     std::array<int, 2> ends_{};
 };
 
-pid_t start(const std::vector<std::string>& arguments, const Pipe& output) {
+pid_t start(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+            const Pipe& output) {
     std::vector<char*> words{const_cast<char*>("offmap-view")};
     for (const std::string& argument : arguments)
         words.push_back(const_cast<char*>(argument.c_str()));
@@ -54,7 +53,8 @@ pid_t start(const std::vector<std::string>& arguments, const Pipe& output) {
     require(posix_spawn_file_actions_init(&actions), "cannot prepare a process");
     posix_spawn_file_actions_adddup2(&actions, output.writing(), STDOUT_FILENO);
     pid_t child = 0;
-    const int error = posix_spawn(&child, thisProgram, &actions, nullptr, words.data(), environ);
+    const int error =
+        posix_spawn(&child, program.c_str(), &actions, nullptr, words.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     require(error, "cannot start the reading process");
     return child;
@@ -77,10 +77,10 @@ std::vector<uint8_t> readAll(int from, pid_t child, const std::stop_token& stop)
 
 }  // namespace
 
-ChildOutcome runThisProgram(const std::vector<std::string>& arguments,
-                            const std::stop_token& stop) {
+ChildOutcome runProgram(const std::filesystem::path& program,
+                        const std::vector<std::string>& arguments, const std::stop_token& stop) {
     Pipe output;
-    const pid_t child = start(arguments, output);
+    const pid_t child = start(program, arguments, output);
     output.closeWriting();
     ChildOutcome outcome;
     outcome.output = readAll(output.reading(), child, stop);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -13,8 +14,9 @@ struct ChildOutcome {
     std::vector<uint8_t> output;
 };
 
-/// Runs this program once more and waits for its end. Stopped, it is killed.
+/// Runs a program and waits for its end. Stopped, it is killed.
 /// \throw std::system_error if there is no process to be had
-ChildOutcome runThisProgram(const std::vector<std::string>& arguments, const std::stop_token& stop);
+ChildOutcome runProgram(const std::filesystem::path& program,
+                        const std::vector<std::string>& arguments, const std::stop_token& stop);
 
 }  // namespace offmap::window
