@@ -100,15 +100,9 @@ Session::Events MainFrame::sessionEvents() {
     events.onFailure = [this](const std::string& message) {
         CallAfter([this, message] { showNothing(message); });
     };
+    events.onClosed = [this] { reducedTurns_.take(); };
     events.playback.onFrame = [this](const live::LiveFramePtr& frame) {
-        const auto& record = frame->reduced.record;
-        const double share = record.counts.returns == 0
-                                 ? 0
-                                 : double(record.removed()) / double(record.counts.returns);
-        CallAfter([this, number = frame->arrived.number, share, ms = record.milliseconds,
-                   suspect = record.health.suspect.has_value()] {
-            workspace_->timeline->add(number, share, ms, suspect);
-        });
+        reducedTurns_.add(*frame);
     };
     events.playback.onLatest = [this](const live::LiveFramePtr& frame) {
         workspace_->stage->take(frame);
@@ -232,6 +226,9 @@ void MainFrame::dismissOldMessage() {
 void MainFrame::onTimer() {
     if (interruption_.came()) return static_cast<void>(Close(true));
     dismissOldMessage();
+    for (const ReducedTurn& turn : reducedTurns_.take()) {
+        workspace_->timeline->add(turn.number, turn.removedShare, turn.milliseconds, turn.suspect);
+    }
     const auto playback = session_.playback();
     workspace_->controls->setPlaying(playback && playback->playing(),
                                      playback && playback->canPause());

@@ -5,6 +5,7 @@
 #include "LiveDialog.h"
 #include "MainMenu.h"
 #include "Preferences.h"
+#include "ReducedTurns.h"
 #include "Session.h"
 #include "Workspace.h"
 #include "input/Interruption.h"
@@ -84,6 +85,7 @@ class MainFrame : public wxFrame {
     Workspace* workspace_;
     std::map<Action, std::function<void()>> actions_;
     wxTimer timer_;
+    ReducedTurns reducedTurns_;
     Exports exports_;
     Session session_;  // last: its threads end before the rest does
 };

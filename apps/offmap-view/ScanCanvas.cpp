@@ -44,19 +44,23 @@ void ScanCanvas::setPart(Part part, mrpt::opengl::CSetOfObjects::Ptr objects) {
     auto& place = *parts_.at(static_cast<size_t>(part));
     place.clear();
     if (objects) place.insert(objects);
-    Refresh(false);
+    paintSoon();
 }
 
 void ScanCanvas::setTheme(const Theme& theme) {
     getOpenGLSceneRef()->getViewport()->setCustomBackgroundColor(
         mrpt::img::TColorf(theme.palette.background));
-    Refresh(false);
+    paintSoon();
 }
 
 void ScanCanvas::setCamera(const view::Camera& camera) {
     camera_ = camera;
     getOpenGLSceneRef()->getViewport()->getCamera() = view::mrptCameraOf(camera);
-    Refresh(false);
+    paintSoon();
+}
+
+void ScanCanvas::paintSoon() {
+    if (!painting_) Refresh(false);
 }
 
 view::PictureSize ScanCanvas::pictureSize() const {
@@ -99,6 +103,12 @@ wxImage ScanCanvas::picture() {
     Refresh(false);
     Update();
     return std::exchange(picture_, wxImage());
+}
+
+void ScanCanvas::OnPreRender() {
+    painting_ = true;
+    onPaint();
+    painting_ = false;
 }
 
 void ScanCanvas::OnPostRender() {

@@ -36,11 +36,14 @@ class ScanCanvas : public mrpt::gui::CWxGLCanvasBase {
     std::function<void(const view::SightLine&)> onClick = [](const view::SightLine&) {};
     /// The camera was moved by hand.
     std::function<void()> onMoved = [] {};
+    /// The picture is about to be painted. Parts that are set now, and the camera, are in it.
+    std::function<void()> onPaint = [] {};
     /// The picture is on the screen.
     std::function<void()> onPainted = [] {};
 
  private:
     void OnCharCustom(wxKeyEvent& event) override { event.Skip(); }
+    void OnPreRender() override;
     void OnPostRender() override;
     void OnPostRenderSwapBuffers(double seconds, wxPaintDC& dc) override;
 
@@ -49,13 +52,15 @@ class ScanCanvas : public mrpt::gui::CWxGLCanvasBase {
     void onRelease(const wxMouseEvent& event);
     void onWheel(const wxMouseEvent& event);
     void moveTo(const view::Camera& camera);
+    void paintSoon();
 
     static constexpr size_t partCount = 4;
     std::array<mrpt::opengl::CSetOfObjects::Ptr, partCount> parts_;
     view::Camera camera_;
     wxPoint pressedAt_, lastAt_;  // [px]
     bool turned_ = false;         // since the button was pressed
-    bool wanted_ = false;         // a picture
+    bool painting_ = false;
+    bool wanted_ = false;  // a picture
     wxImage picture_;
 };
 

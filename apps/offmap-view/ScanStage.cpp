@@ -17,6 +17,7 @@ namespace {
 using mrpt::math::TBoundingBox;
 using mrpt::math::TPoint3D;
 
+constexpr int pause = 50;                                    // [ms] between calls of onShown
 constexpr double usualAzimuth = -2.1, usualElevation = 0.6;  // [rad] of a camera
 const mrpt::poses::CPose3D nowhere;                          // places columns without a pose
 
@@ -41,10 +42,13 @@ ScanStage::ScanStage(wxWindow* parent)
     : wxPanel(parent),
       canvas_(new ScanCanvas(this)),
       map_(std::make_shared<core::LineMap>(std::vector<core::Wall>())),
-      composer_([this] { CallAfter([this] { showComposed(); }); }) {
+      pacer_(this),
+      composer_([this] { CallAfter([this] { canvas_->Refresh(false); }); }) {
     auto* sizer = new wxBoxSizer(wxVERTICAL);
     sizer->Add(canvas_, 1, wxEXPAND);
     SetSizer(sizer);
+    canvas_->onPaint = [this] { showComposed(); };
+    Bind(wxEVT_TIMER, [this](wxTimerEvent&) { tellOfShown(); });
     canvas_->onClick = [this](const view::SightLine& line) { pickAlong(line); };
 }
 
@@ -96,6 +100,9 @@ void ScanStage::setChoices(const SceneChoices& choices) {
     composeAgain();
 }
 
+/// Just before the canvas is painted: the picture is of the newest scan, even while the camera is
+/// turned so quickly that the toolkit comes to nothing else than to paint. Nothing but the canvas
+/// may be changed meanwhile.
 void ScanStage::showComposed() {
     const ComposedPtr composed = composer_.take();
     if (!composed) return;
@@ -106,8 +113,14 @@ void ScanStage::showComposed() {
     showWalls();
     if (!fitted_) resetView();
     follow(*composed);
-    if (!sameScan) clearSelection();
-    onShown(*composed);
+    if (!sameScan) canvas_->setPart(ScanCanvas::Part::Marks, nullptr);
+    if (!pacer_.IsRunning()) pacer_.StartOnce(pause);
+}
+
+void ScanStage::tellOfShown() {
+    if (!shown_) return;
+    if (pickedIn_ && pickedIn_ != shown_->frame) clearSelection();
+    onShown(*shown_);
 }
 
 /// Walls are drawn about what is seen; as long as that stays within, they stay.
@@ -168,6 +181,7 @@ void ScanStage::lookAt(const mrpt::math::TPoint2D& place) {
 }
 
 void ScanStage::clearSelection() {
+    pickedIn_.reset();
     canvas_->setPart(ScanCanvas::Part::Marks, nullptr);
     onPicked(nullptr);
 }
@@ -197,6 +211,7 @@ void ScanStage::pickAlong(const view::SightLine& line) {
                      story.segment ? view::segmentMarksOf(scan, frame.result, *map_, *story.segment,
                                                           theme_->palette, nowhere)
                                    : nullptr);
+    pickedIn_ = shown_->frame;
     onPicked(&story);
 }
 

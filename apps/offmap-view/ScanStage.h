@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <wx/panel.h>
+#include <wx/timer.h>
 
 namespace offmap::window {
 
@@ -45,13 +46,18 @@ class ScanStage : public wxPanel {
     void clearSelection();
     ScanCanvas& canvas() { return *canvas_; }
 
-    /// A scan has come to the screen; it was composed from this.
+    /// Null: none.
+    const ComposedPtr& shown() const { return shown_; }
+
+    /// A scan has come to the screen; it was composed from this. Scans that come faster than
+    /// anybody reads figures are passed over.
     std::function<void(const Composed&)> onShown = [](const Composed&) {};
     /// A return was clicked, or the one that was is in another scan now (then null).
     std::function<void(const view::SegmentStory*)> onPicked = [](const view::SegmentStory*) {};
 
  private:
     void showComposed();
+    void tellOfShown();
     void showWalls();
     void follow(const Composed& composed);
     void pickAlong(const view::SightLine& line);
@@ -67,6 +73,8 @@ class ScanStage : public wxPanel {
     std::optional<mrpt::math::TBoundingBox> wallsExtent_;  // [m] that walls were drawn for
     std::optional<mrpt::math::TPoint3D> followed_;         // [m] where the sensor stood last
     bool fitted_ = false;                                  // to what was opened
+    live::LiveFramePtr pickedIn_;                          // null: nothing is picked
+    wxTimer pacer_;                                        // of onShown
     std::mutex drawing_;                                   // of what the composer is to know
     SceneChoices composedChoices_;
     view::Palette composedPalette_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
+#include "Priority.h"
 #include "TurnCount.h"
 #include "input/LoadedMap.h"
 
@@ -72,6 +73,7 @@ void Session::open(SessionRequest request) {
     loader_ = std::jthread([this, before = std::move(loader_),
                             request = std::move(request)](const std::stop_token& stop) mutable {
         if (before.joinable()) before.join();
+        standBack();
         load(request, stop);
     });
 }
@@ -83,6 +85,7 @@ void Session::load(const SessionRequest& request, const std::stop_token& stop) {
         playback = std::exchange(playback_, nullptr);
     }
     playback.reset();  // its threads end here
+    events_.onClosed();
     Opened opened;
     try {
         opened.map = readMap(request, opened, stop);

@@ -34,6 +34,8 @@ class Session {
  public:
     /// Called by threads of the session.
     struct Events {
+        /// What was open is not any more: no more turns of it come.
+        std::function<void()> onClosed;
         std::function<void(const Opened&)> onOpened;
         std::function<void(const std::string&)> onFailure;
         PlaybackEvents playback;
