@@ -2,12 +2,12 @@
 #include "FigureRows.h"
 
 #include <offmap/rawlog/GroupedDigits.h>
+#include <offmap/view/Wording.h>
 
 #include <fmt/format.h>
 #include <mrpt/core/bits_math.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -20,13 +20,6 @@ using rawlog::grouped;
 using Mood = FigureRow::Mood;
 
 const std::string none = "-";
-
-constexpr std::array<std::pair<KeepReason, const char*>, 5> reasons{
-    {{KeepReason::InFrontOfWall, "kept: in front of a wall"},
-     {KeepReason::BehindWall, "kept: behind a wall"},
-     {KeepReason::NoWallOnRay, "kept: no wall on the ray"},
-     {KeepReason::AmbiguousCorner, "kept: ambiguous corner"},
-     {KeepReason::NoPose, "kept: no pose"}}};
 
 /// Three digits that matter, as far as there are decimals.
 std::string threeDigits(double value) {
@@ -87,11 +80,12 @@ FigureRow lossRow(std::string label, uint64_t lost) {
 void addScan(std::vector<FigureRow>& rows, const live::LiveFrame* frame) {
     rows.push_back({"points", frame ? grouped(frame->reduced.record.counts.returns) : none});
     rows.push_back({"removed", frame ? removedText(frame->reduced.record) : none});
-    for (const auto& [reason, label] : reasons) {
+    for (const KeepReason reason : view::keepReasons) {
         const auto index = static_cast<size_t>(reason);
         const std::string value =
             frame ? grouped(frame->reduced.record.keptByReason.at(index)) : none;
-        rows.push_back({label, value, Mood::Plain, reason});
+        rows.push_back(
+            {fmt::format("kept: {}", view::inWords(reason)), value, Mood::Plain, reason});
     }
 }
 

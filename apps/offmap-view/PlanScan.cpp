@@ -2,6 +2,8 @@
 #include "PlanScan.h"
 
 #include <offmap/core/CorrectedPose.h>
+#include <offmap/view/CorrectedScan.h>
+#include <offmap/view/PoseMarks.h>
 
 #include <Eigen/Cholesky>
 
@@ -12,16 +14,6 @@ namespace offmap::window {
 
 namespace {
 
-/// The column with a pose nearest to the middle of the turn, from there on.
-const core::ScanColumn* middleColumn(const core::OrganizedScan& scan) {
-    const size_t columns = scan.columns.size();
-    for (size_t i = 0; i < columns; ++i) {
-        const core::ScanColumn& column = scan.columns[(columns / 2 + i) % columns];
-        if (column.sensor) return &column;
-    }
-    return nullptr;
-}
-
 PlanPose onPlan(const mrpt::poses::CPose3D& sensorInMap, const Eigen::Matrix2d& covariance) {
     return {{sensorInMap.x(), sensorInMap.y()}, sensorInMap.yaw(), covariance};
 }
@@ -30,7 +22,7 @@ PlanPose onPlan(const mrpt::poses::CPose3D& sensorInMap, const Eigen::Matrix2d& 
 
 PlanScan planPosesOf(const live::LiveFrame& frame) {
     PlanScan plan;
-    const core::ScanColumn* column = middleColumn(frame.reduced.organized.scan);
+    const core::ScanColumn* column = view::middleColumn(frame.reduced.organized.scan);
     if (!column) return plan;
     plan.stated =
         onPlan(column->sensor->sensorInMap, column->sensor->groundCovariance.topLeftCorner<2, 2>());
@@ -48,10 +40,11 @@ PlanScan planScanOf(const live::LiveFrame& frame) {
     const auto& labels = frame.result.labels;
     for (const core::ScanColumn& column : scan.columns) {
         if (!column.sensor) continue;
+        const mrpt::poses::CPose3D sensorInMap = view::foundSensor(column, frame.result);
         const uint32_t end = std::min(column.end, static_cast<uint32_t>(labels.size()));
         for (uint32_t i = column.begin; i < end; ++i) {
             if (labels[i] != core::PointLabel::Kept) continue;
-            const auto place = column.sensor->sensorInMap.composePoint(scan.points[i]);
+            const auto place = sensorInMap.composePoint(scan.points[i]);
             plan.kept.emplace_back(place.x, place.y);
         }
     }

@@ -27,7 +27,7 @@ struct PlanScan {
 
 /// The poses alone, which costs nothing.
 PlanScan planPosesOf(const live::LiveFrame& frame);
-/// The kept returns too. They stand where the stated poses put them.
+/// The kept returns too, where the scan was found to have been taken.
 PlanScan planScanOf(const live::LiveFrame& frame);
 
 /// The ellipse of that many standard deviations, as a closed polygon [m]; none if it has no width

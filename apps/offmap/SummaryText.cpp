@@ -4,6 +4,7 @@
 #include "HealthText.h"
 
 #include <offmap/rawlog/GroupedDigits.h>
+#include <offmap/view/Wording.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,24 +24,6 @@ double percent(uint64_t part, uint64_t whole) {
     return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::string inWords(core::KeepReason reason) {
-    switch (reason) {
-        case core::KeepReason::None:
-            break;
-        case core::KeepReason::InFrontOfWall:
-            return "in front of a wall";
-        case core::KeepReason::BehindWall:
-            return "behind a wall";
-        case core::KeepReason::NoWallOnRay:
-            return "no wall on the ray";
-        case core::KeepReason::AmbiguousCorner:
-            return "ambiguous corner";
-        case core::KeepReason::NoPose:
-            return "no pose";
-    }
-    return "";
-}
-
 std::string inWords(const std::string& reason) {
     std::string words = reason;
     std::replace(words.begin(), words.end(), '_', ' ');
@@ -52,7 +35,8 @@ std::string keptText(const ReductionTotals& totals, uint64_t kept) {
     std::vector<std::pair<uint64_t, std::string>> reasons;
     for (size_t r = 0; r < totals.keptByReason.size(); ++r) {
         if (totals.keptByReason[r] == 0) continue;
-        reasons.emplace_back(totals.keptByReason[r], inWords(static_cast<core::KeepReason>(r)));
+        reasons.emplace_back(totals.keptByReason[r],
+                             view::inWords(static_cast<core::KeepReason>(r)));
     }
     if (totals.keptOffWall > 0) reasons.emplace_back(totals.keptOffWall, "off its segment's wall");
     std::stable_sort(reasons.begin(), reasons.end(),

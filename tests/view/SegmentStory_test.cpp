@@ -83,7 +83,7 @@ TEST(SegmentStory, isToldWithUnits) {
     EXPECT_EQ(mapped["why"],
               "It stands on wall 0, 0.10 m behind it, which is 2.5 standard deviations: the map "
               "knows it.");
-    EXPECT_EQ(told(s, 11)["verdict"], "kept: in front of the wall, 5.0 sigma in front");
+    EXPECT_EQ(told(s, 11)["verdict"], "kept: in front of a wall, 5.0 sigma in front");
     EXPECT_EQ(why(s, 11),
               "It stands 0.50 m in front of wall 0, which is 5.0 standard deviations: not the "
               "wall.");

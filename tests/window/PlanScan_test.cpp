@@ -33,11 +33,15 @@ TEST(PlanScan, posesStandWhereTheSensorWasSaidAndSeenToStand) {
     EXPECT_TRUE(plan.kept.empty());
 }
 
-TEST(PlanScan, keptReturnsStandInTheMap) {
-    const PlanScan plan = planScanOf(madeUpFrame());
+// The correction of the frame is 0.3 m along x.
+TEST(PlanScan, keptReturnsStandWhereTheScanWasFoundToBeTaken) {
+    live::LiveFrame frame = madeUpFrame();
+    const PlanScan plan = planScanOf(frame);
     ASSERT_EQ(plan.kept.size(), 11U);
-    EXPECT_NEAR(plan.kept[0].x, 9, roundingF);
+    EXPECT_NEAR(plan.kept[0].x, 9.3, roundingF);
     EXPECT_NEAR(plan.kept[0].y, 4, roundingF);
+    frame.result.alignment.reset();
+    EXPECT_NEAR(planScanOf(frame).kept[0].x, 9, roundingF) << "as stated";
 }
 
 TEST(PlanScan, returnsThatTheMapKnowsAndLooseOnesAreLeftOut) {

@@ -2,6 +2,7 @@
 #include "FigureLegend.h"
 
 #include <offmap/view/SegmentStory.h>
+#include <offmap/view/Wording.h>
 
 #include <fmt/format.h>
 
@@ -68,16 +69,11 @@ void addReasons(Entries& entries, const PlacedReturns& returns, const core::Redu
                 const SceneOptions& options) {
     addLabel(entries, returns, options, PointLabel::Mapped, "mapped, removed");
     const auto counts = countReasons(returns, result);
-    for (const auto& [reason, meaning] :
-         {std::pair(KeepReason::InFrontOfWall, "in front of a wall"),
-          std::pair(KeepReason::BehindWall, "behind a wall"),
-          std::pair(KeepReason::NoWallOnRay, "no wall on the ray"),
-          std::pair(KeepReason::AmbiguousCorner, "ambiguous corner"),
-          std::pair(KeepReason::NoPose, "no pose")}) {
+    for (const KeepReason reason : keepReasons) {
         const size_t count = counts.at(static_cast<size_t>(reason));
         if (count == 0) continue;
         entries.push_back(
-            {fmt::format("{} {}", meaning, grouped(count)), options.palette.of(reason)});
+            {fmt::format("{} {}", inWords(reason), grouped(count)), options.palette.of(reason)});
     }
     if (countOf(returns, PointLabel::Orphan) > 0) {
         addLabel(entries, returns, options, PointLabel::Orphan, "orphan, removed");

@@ -14,16 +14,6 @@ namespace {
 
 using mrpt::opengl::CSetOfObjects;
 
-/// The column with a pose nearest to the middle of the turn, from there on.
-const core::ScanColumn* middleColumn(const core::OrganizedScan& scan) {
-    const size_t columns = scan.columns.size();
-    for (size_t i = 0; i < columns; ++i) {
-        const core::ScanColumn& column = scan.columns[(columns / 2 + i) % columns];
-        if (column.sensor) return &column;
-    }
-    return nullptr;
-}
-
 /// \param covariance [m^2] of x and y, in the map's axes
 void addMark(CSetOfObjects& marks, const mrpt::poses::CPose3D& sensorInMap,
              const Eigen::Matrix2d& covariance, double size, const mrpt::img::TColor& colour) {
@@ -46,6 +36,15 @@ void addMark(CSetOfObjects& marks, const mrpt::poses::CPose3D& sensorInMap,
 }
 
 }  // namespace
+
+const core::ScanColumn* middleColumn(const core::OrganizedScan& scan) {
+    const size_t columns = scan.columns.size();
+    for (size_t i = 0; i < columns; ++i) {
+        const core::ScanColumn& column = scan.columns[(columns / 2 + i) % columns];
+        if (column.sensor) return &column;
+    }
+    return nullptr;
+}
 
 CSetOfObjects::Ptr poseMarksOf(const core::OrganizedScan& scan, const core::ReductionResult& result,
                                double size, const Palette& palette) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StoryWhy.h"
 
+#include <offmap/view/Wording.h>
+
 #include <fmt/format.h>
 #include <mrpt/core/bits_math.h>
 
@@ -30,24 +32,6 @@ std::string_view nameOf(Verdict verdict) {
             break;
     }
     return "kept";
-}
-
-std::string_view nameOf(KeepReason reason) {
-    switch (reason) {
-        case KeepReason::InFrontOfWall:
-            return "in front of the wall";
-        case KeepReason::BehindWall:
-            return "behind the wall";
-        case KeepReason::NoWallOnRay:
-            return "no wall on the ray";
-        case KeepReason::AmbiguousCorner:
-            return "ambiguous corner";
-        case KeepReason::NoPose:
-            return "no pose";
-        case KeepReason::None:
-            break;
-    }
-    return "";
 }
 
 std::string returnText(const SegmentStory& story) {
@@ -81,7 +65,7 @@ std::string predictedText(const SegmentStory& story) {
 
 std::string verdictText(const SegmentStory& story) {
     std::string text{nameOf(story.verdict)};
-    if (story.verdict == Verdict::Kept) text += fmt::format(": {}", nameOf(story.reason));
+    if (story.verdict == Verdict::Kept) text += fmt::format(": {}", inWords(story.reason));
     if (story.predicted && isOfPrediction(story)) {
         text += fmt::format(", {:.1f} sigma {}", std::abs(story.residual),
                             story.residual < 0 ? "in front" : "behind");

@@ -9,6 +9,9 @@
 
 namespace offmap::view {
 
+/// The column with a pose nearest to the middle of the turn, from there on; null if none has one.
+const core::ScanColumn* middleColumn(const core::OrganizedScan& scan);
+
 /// Where the sensor was said to stand in the middle of the turn, and where the scan shows it to
 /// have stood: an arrow along the heading and the ellipse of three standard deviations, each in
 /// its colour. The set is named "poses"; it is empty for a scan without poses.
