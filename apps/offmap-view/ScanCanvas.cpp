@@ -40,7 +40,7 @@ void ScanCanvas::bindMouse() {
     Bind(wxEVT_ENTER_WINDOW, [](wxMouseEvent&) {});
 }
 
-void ScanCanvas::setPart(Part part, mrpt::opengl::CSetOfObjects::Ptr objects) {
+void ScanCanvas::setPart(Part part, const mrpt::opengl::CSetOfObjects::Ptr& objects) {
     auto& place = *parts_.at(static_cast<size_t>(part));
     place.clear();
     if (objects) place.insert(objects);

@@ -22,7 +22,7 @@ class ScanCanvas : public mrpt::gui::CWxGLCanvasBase {
     /// What the scene is made of; null takes a part out. Objects must not have been drawn by
     /// another canvas.
     enum class Part : uint8_t { Cloud, Poses, Marks, Walls };
-    void setPart(Part part, mrpt::opengl::CSetOfObjects::Ptr objects);
+    void setPart(Part part, const mrpt::opengl::CSetOfObjects::Ptr& objects);
 
     void setTheme(const Theme& theme);
     void setCamera(const view::Camera& camera);
