@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <malloc.h>
 #include <numeric>
 #include <thread>
 #include <unistd.h>
@@ -34,6 +36,24 @@ double residentMemory() {
     size_t all = 0, resident = 0;
     std::ifstream("/proc/self/statm") >> all >> resident;
     return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+/// [B] of all arenas, as malloc_info() tells at its end.
+size_t heapInUse() {
+    char* text = nullptr;
+    size_t length = 0;
+    FILE* const stream = open_memstream(&text, &length);
+    malloc_info(0, stream);
+    std::fclose(stream);
+    const std::string all(text, length);
+    std::free(text);
+    const auto sizeOf = [&](const char* key) {
+        const size_t place = all.rfind(key);
+        const size_t size = place == std::string::npos ? place : all.find("size=\"", place);
+        return size == std::string::npos ? 0 : std::stoull(all.substr(size + 6));
+    };
+    return sizeOf("<system type=\"current\"") + sizeOf("<total type=\"mmap\"") -
+           sizeOf("<total type=\"fast\"") - sizeOf("<total type=\"rest\"");
 }
 
 std::string load() {
@@ -90,15 +110,16 @@ void Script::describe() {
                canvas_.height, load(), std::thread::hardware_concurrency());
 }
 
+uint64_t Script::turnsReduced() {
+    const auto playback = frame_.session().playback();
+    return playback ? playback->figures().totals.scans : 0;
+}
+
 void Script::measureRates(const char* name, bool drag) {
     constexpr double steady = 0.01;  // [s] more often than pictures can be painted
-    const auto turnsNow = [&] {
-        const auto playback = frame_.session().playback();
-        return playback ? playback->figures().totals.scans : uint64_t{0};
-    };
     const auto end = Clock::now() + std::chrono::duration<double>(options_.seconds);
     meter_.take();
-    const auto before = turnsNow();
+    const uint64_t before = turnsReduced();
     if (drag) {
         dragWhile([&] { return Clock::now() < end; }, [] { return steady; });
     } else {
@@ -107,7 +128,7 @@ void Script::measureRates(const char* name, bool drag) {
     const PaintTally tally = meter_.take();
     const auto perSecond = [&](auto count) { return static_cast<double>(count) / tally.seconds; };
     fmt::print("| {} | {:.1f} | {:.1f} | {:.1f} |\n", name, perSecond(tally.paints),
-               perSecond(tally.scans), perSecond(turnsNow() - before));
+               perSecond(tally.scans), perSecond(turnsReduced() - before));
     std::fflush(stdout);
 }
 
@@ -126,14 +147,30 @@ void Script::measureAnswers() {
     std::fflush(stdout);
 }
 
+/// While the first turn is shown, and nothing is on its way.
+double Script::memoryAtRest() {
+    play(false);
+    frame_.session().playback()->jumpTo(0);
+    sleepFor(3);
+    const double mebibytes = static_cast<double>(heapInUse()) / (1 << 20);
+    play(true);
+    return mebibytes;
+}
+
 void Script::soak() {
     constexpr double step = 10;  // [s]
+    sleepFor(step);
+    const double before = memoryAtRest();
+    const uint64_t first = turnsReduced();
     fmt::print("\n| s | memory [MiB] |\n|---|---|\n");
     for (double passed = 0; passed <= options_.soak; passed += step) {
         fmt::print("| {:.0f} | {:.1f} |\n", passed, residentMemory());
         std::fflush(stdout);
         sleepFor(step);
     }
+    const uint64_t turns = turnsReduced() - first;
+    fmt::print("\nheap in use at the first turn, paused: {:.3f} MiB, {:.3f} MiB {} turns later\n",
+               before, memoryAtRest(), turns);
 }
 
 void Script::dragWhile(const std::function<bool()>& more, const std::function<double()>& gap) {

@@ -33,6 +33,8 @@ class Script {
     void measureRates(const char* name, bool drag);
     void measureAnswers();
     void soak();
+    double memoryAtRest();
+    uint64_t turnsReduced();
     /// Moves the pointer with its button pressed until it is told that it is enough.
     void dragWhile(const std::function<bool()>& more, const std::function<double()>& gap);
     void moveTo(size_t step);
