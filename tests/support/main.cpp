@@ -25,8 +25,10 @@ int main(int argc, char** argv) {
 
 #if defined(__SANITIZE_ADDRESS__)
 /// Asked by LeakSanitizer. fontconfig, which cairo finds its letters with, keeps what it has read
-/// until the program ends.
+/// until the program ends; MRPT's driver of a Velodyne leaves a filter of libpcap behind.
 extern "C" const char* __lsan_default_suppressions();
 // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): the sanitizer's own
-extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libfontconfig\nleak:libpcap\n";
+}
 #endif
