@@ -12,9 +12,13 @@ namespace offmap::window {
 
 namespace {
 
-bool holdsSweeps(const rawlog::LogSurvey& survey) {
-    return std::ranges::any_of(survey.sensors,
-                               [](const auto& sensor) { return sensor.second.sweep.isSweep(); });
+/// Whether observations of a sensor may be other than one turn each.
+bool mustBeRead(const rawlog::LogSurvey& survey) {
+    return std::ranges::any_of(survey.sensors, [](const auto& labelled) {
+        const auto& [label, sensor] = labelled;
+        // Without a label, several sensors may be meant.
+        return sensor.sweep.isSweep() || (sensor.scans3d && (sensor.unsupported || label.empty()));
+    });
 }
 
 uint64_t scansIn(const rawlog::LogSurvey& survey) {
@@ -29,7 +33,7 @@ uint64_t scansIn(const rawlog::LogSurvey& survey) {
 
 uint64_t turnsIn(const std::filesystem::path& log, const rawlog::LogSurvey& survey,
                  const rawlog::Config& config, const std::function<void()>& onEntry) {
-    if (!holdsSweeps(survey)) return scansIn(survey);
+    if (!mustBeRead(survey)) return scansIn(survey);
     rawlog::RawlogReader reader(log);
     rawlog::TurnAssembler assembler(config, log);
     rawlog::expectSweepsOf(survey, assembler);

@@ -19,6 +19,13 @@ using mrpt::obs::CObservation2DRangeScan;
 
 namespace {
 
+/// Whether it can be reduced, by itself; if it is the first that cannot, notes why.
+bool isScan(const CObservation& obs, const SensorConfig& config, SensorSurvey& sensor) {
+    if (scanClassOf(obs, config)) return true;
+    if (!sensor.unsupported) sensor.unsupported = unsupportedReason(obs, config);
+    return false;
+}
+
 void see(LogSurvey& survey, const Config& config, const CObservation& obs) {
     if (const auto* pose = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&obs)) {
         survey.poses[obs.sensorLabel].push_back(stampedPose(*pose));
@@ -34,10 +41,8 @@ void see(LogSurvey& survey, const Config& config, const CObservation& obs) {
     if (sensor.observations++ == 0) sensor.className = classNameOf(obs);
     if (const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(&obs)) {
         sensor.sweep.see(*scan);
-    } else if (!sensor.scans3d) {
-        const SensorConfig own = config.sensorOf(obs.sensorLabel);
-        sensor.scans3d = scanClassOf(obs, own) != nullptr;
-        if (!sensor.unsupported) sensor.unsupported = unsupportedReason(obs, own);
+    } else if (isScan(obs, config.sensorOf(obs.sensorLabel), sensor)) {
+        sensor.scans3d = true;
     }
 }
 

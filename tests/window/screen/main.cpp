@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests of real controls and panes: the toolkit runs, no event loop does.
+#include "../../support/Places.h"
+
 #include <gtest/gtest.h>
 
 #include <wx/app.h>
 #include <wx/init.h>
+
+std::filesystem::path offmap::test::offmapBinary() { return OFFMAP_BINARY; }
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
