@@ -52,6 +52,7 @@ LiveInput replay(const LiveRequest& request, const rawlog::Config& config) {
     request.checkLog(log, config);
     rawlog::RawlogReader reader(log);
     LiveInput input;
+    input.file = log;
     const auto survey = std::make_shared<const rawlog::LogSurvey>(
         rawlog::surveyLog(reader, config, std::numeric_limits<uint64_t>::max(), request.onEntry));
     input.survey = survey;
@@ -96,6 +97,7 @@ std::shared_ptr<live::LivePoses> choosePosesAsTheyCome(const LiveRequest& reques
 
 LiveInput grabbed(const LiveRequest& request, const rawlog::Config& config) {
     LiveInput input;
+    input.file = request.from.source;
     const auto poses = choosePosesAsTheyCome(request, config, input);
     live::GrabberSource::Options options;
     options.poseLabel = request.shared.poses.request().label;
@@ -110,6 +112,7 @@ LiveInput grabbed(const LiveRequest& request, const rawlog::Config& config) {
 
 LiveInput followed(const LiveRequest& request, const rawlog::Config& config) {
     LiveInput input;
+    input.file = request.from.source;
     const auto fromLog = choosePosesAsTheyCome(request, config, input);
     const auto poses = request.shared.poses.request();
     if (!std::filesystem::exists(request.from.source)) {
@@ -138,6 +141,7 @@ LiveInput openLiveInput(const LiveRequest& request, const rawlog::Config& config
         input.source = std::make_unique<live::VelodyneUdp>(*port, request.from.label);
         input.description = fmt::format("Velodyne at UDP port {}", *port);
     } else {
+        input.file = request.from.source;
         input.source = std::make_unique<live::VelodynePcap>(request.from.source, request.from.label,
                                                             request.from.speedFactor());
         input.description = request.from.source + ", a capture of a Velodyne";

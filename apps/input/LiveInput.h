@@ -24,6 +24,7 @@ struct LiveInput {
     std::shared_ptr<const rawlog::PoseSource> poses;
     std::shared_ptr<live::TrackedPoses> tracked;      ///< the same, if they are; else null
     std::shared_ptr<const rawlog::LogSurvey> survey;  ///< that the source refers to; may be null
+    std::filesystem::path file;                       ///< that the source reads; empty: none
     std::string description, posesDescription;
     std::string warning;  ///< empty: nothing to warn of
 };

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <wx/bmpbuttn.h>
 #include <wx/choice.h>
 #include <wx/sizer.h>
@@ -22,8 +21,6 @@ namespace offmap::window {
 
 namespace {
 
-constexpr std::array speeds{
-    0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0, std::numeric_limits<double>::infinity()};
 constexpr std::array cameras{Action::PerspectiveCamera, Action::FollowCamera, Action::TopCamera};
 constexpr std::array colours{Action::ColourByLabel, Action::ColourByHeight,
                              Action::ColourByIntensity, Action::ColourByResidual,
@@ -101,7 +98,7 @@ void ControlBar::buildPlayControls() {
     }
     playButton_ = buttons_[buttons_.size() - 2].control;
     std::vector<wxString> texts;
-    for (const double factor : speeds) texts.push_back(speedText(factor));
+    for (const double factor : speeds_) texts.push_back(speedText(factor));
     speed_ = addChoice(texts, "How many times as fast as it was recorded (+ and -)");
     speed_->Bind(wxEVT_CHOICE, [this](wxCommandEvent&) { onSpeed(speed()); });
     setSpeed(1);
@@ -170,14 +167,19 @@ void ControlBar::setChoices(const SceneChoices& choices, CameraMode camera) {
 }
 
 void ControlBar::setSpeed(double factor) {
-    const auto found = std::ranges::find(speeds, factor);
-    if (found != speeds.end()) speed_->SetSelection(static_cast<int>(found - speeds.begin()));
+    const auto place = std::ranges::lower_bound(speeds_, factor);
+    const auto index = static_cast<unsigned>(place - speeds_.begin());
+    if (place == speeds_.end() || *place != factor) {
+        speeds_.insert(place, factor);
+        speed_->Insert(speedText(factor), index);
+    }
+    speed_->SetSelection(static_cast<int>(index));
 }
 
-double ControlBar::speed() const { return speeds.at(static_cast<size_t>(speed_->GetSelection())); }
+double ControlBar::speed() const { return speeds_.at(static_cast<size_t>(speed_->GetSelection())); }
 
 void ControlBar::changeSpeed(int steps) {
-    const int last = static_cast<int>(speeds.size()) - 1;
+    const int last = static_cast<int>(speeds_.size()) - 1;
     speed_->SetSelection(std::clamp(speed_->GetSelection() + steps, 0, last));
     onSpeed(speed());
 }

@@ -6,6 +6,7 @@
 #include "Theme.h"
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 #include <wx/panel.h>
@@ -31,6 +32,7 @@ class ControlBar : public wxPanel {
     /// \param turn from 0; none: nothing is shown \param turns 0: not known
     void setPlace(std::optional<uint64_t> turn, uint64_t turns);
     void setChoices(const SceneChoices& choices, CameraMode camera);
+    /// \param factor one of its own can be chosen from then on
     void setSpeed(double factor);
     double speed() const;
     /// To the next higher speed that can be chosen, or the next lower one.
@@ -47,6 +49,8 @@ class ControlBar : public wxPanel {
         Action action;
     };
     std::vector<Button> buttons_;
+    std::vector<double> speeds_{
+        0.1, 0.25, 0.5, 1, 2, 5, 10, 100, std::numeric_limits<double>::infinity()};
     wxBitmapButton* playButton_ = nullptr;
     wxChoice *speed_ = nullptr, *camera_ = nullptr, *colours_ = nullptr;
     wxSlider* pointSize_ = nullptr;

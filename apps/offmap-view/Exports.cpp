@@ -3,6 +3,7 @@
 
 #include "FrameIntensities.h"
 #include "input/LiveRecorder.h"
+#include "input/NamedFiles.h"
 
 #include <offmap/live/LiveReduction.h>
 #include <offmap/view/Figure.h>
@@ -42,13 +43,15 @@ class RangeWatch {
 
     bool holds(uint64_t number) const { return number >= range_.first && number <= range_.last; }
     void see(uint64_t number) {
+        if (number >= range_.first) begun_ = true;
         if (number >= range_.last) complete_ = true;
     }
+    bool begun() const { return begun_; }
     bool complete() const { return complete_; }
 
  private:
     TurnRange range_;
-    std::atomic<bool> complete_ = false;
+    std::atomic<bool> begun_ = false, complete_ = false;
 };
 
 void reduceTurns(const SessionRequest& request, std::shared_ptr<const core::LineMap> map,
@@ -73,6 +76,12 @@ void reduceTurns(const SessionRequest& request, std::shared_ptr<const core::Line
     }
     reduction.stop();
     if (!reduction.failure().empty()) throw std::runtime_error(reduction.failure());
+    const live::SourceHealth health = reduction.source().health();
+    if (health.state == live::SourceState::Failed) throw std::runtime_error(health.message);
+    if (!watch.begun()) {
+        throw std::runtime_error(fmt::format("{}: it has no turn {}; it ends before",
+                                             request.live.from.source, range.first + 1));
+    }
 }
 
 }  // namespace
@@ -90,7 +99,11 @@ void Exports::begin(const std::filesystem::path& file,
                     std::function<void(const std::stop_token&)> work) {
     worker_ = std::jthread([this, file, work = std::move(work),
                             before = std::move(worker_)](const std::stop_token& stop) mutable {
-        if (before.joinable()) before.join();
+        {
+            const std::stop_callback both(stop, [&before] { before.request_stop(); });
+            if (before.joinable()) before.join();
+        }
+        if (stop.stop_requested()) return;
         try {
             work(stop);
             events_.onDone("wrote " + file.string());
@@ -120,6 +133,8 @@ void Exports::writeFigure(const live::LiveFramePtr& frame, std::shared_ptr<const
 void Exports::writeTurns(const SessionRequest& request, std::shared_ptr<const core::LineMap> map,
                          const TurnRange& range, const std::filesystem::path& file) {
     begin(file, [=, this](const std::stop_token& stop) {
+        app::requireDistinct({{"the export", file}}, {{"the log", request.live.from.source},
+                                                      {"the map", request.live.shared.map}});
         app::LiveRecorder recorder(file, true);
         reduceTurns(request, map, range, recorder, reader_, stop);
         recorder.publish();

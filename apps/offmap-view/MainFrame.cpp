@@ -12,6 +12,7 @@
 #include <wx/anybutton.h>
 #include <wx/checkbox.h>
 #include <wx/choice.h>
+#include <wx/dialog.h>
 #include <wx/display.h>
 #include <wx/dnd.h>
 #include <wx/sizer.h>
@@ -63,6 +64,7 @@ MainFrame::MainFrame(FileReader reader, SessionRequest request, wxConfigBase& se
     : wxFrame(nullptr, wxID_ANY, "offmap-view"),
       preferences_(settings),
       request_(std::move(request)),
+      commandLine_(request_.live),
       menu_(new MainMenu),
       workspace_(new Workspace(this)),
       actions_(makeActions()),
@@ -90,35 +92,6 @@ MainFrame::MainFrame(FileReader reader, SessionRequest request, wxConfigBase& se
 MainFrame::~MainFrame() {
     exports_.close();
     session_.close();
-}
-
-Session::Events MainFrame::sessionEvents() {
-    Session::Events events;
-    events.onOpened = [this](const Opened& opened) {
-        CallAfter([this, opened] { showOpened(opened); });
-    };
-    events.onFailure = [this](const std::string& message) {
-        CallAfter([this, message] { showNothing(message); });
-    };
-    events.onClosed = [this] { reducedTurns_.take(); };
-    events.playback.onFrame = [this](const live::LiveFramePtr& frame) {
-        reducedTurns_.add(*frame);
-    };
-    events.playback.onLatest = [this](const live::LiveFramePtr& frame) {
-        workspace_->stage->take(frame);
-    };
-    return events;
-}
-
-Exports::Events MainFrame::exportEvents() {
-    Exports::Events events;
-    events.onDone = [this](const std::string& message) {
-        CallAfter([this, message] { tell(message); });
-    };
-    events.onFailure = [this](const std::string& message) {
-        CallAfter([this, message] { showFailure(message); });
-    };
-    return events;
 }
 
 void MainFrame::wireParts() {
@@ -160,46 +133,6 @@ void MainFrame::onKey(wxKeyEvent& event) {
     perform(*action);
 }
 
-void MainFrame::open() {
-    workspace_->messages->Dismiss();
-    SetTitle("offmap-view: opening ...");
-    session_.open(request_);
-}
-
-void MainFrame::showOpened(const Opened& opened) {
-    turns_ = opened.turns;
-    workspace_->clear();
-    workspace_->stage->setMap(opened.map);
-    workspace_->plan->setMap(opened.map);
-    workspace_->timeline->setTurns(turns_);
-    const std::string& source = request_.live.from.source;
-    if (!source.empty()) preferences_.addRecentLog(std::filesystem::absolute(source).string());
-    const std::filesystem::path& map = request_.live.shared.map;
-    if (!map.empty()) preferences_.addRecentMap(std::filesystem::absolute(map).string());
-    menu_->setRecent(preferences_.recentLogs(), preferences_.recentMaps());
-    SetTitle(toWx(fmt::format(
-        "{} - offmap-view", source.empty() ? map.filename().string() : opened.sourceDescription)));
-    if (!opened.warnings.empty()) {
-        workspace_->messages->ShowMessage(toWx(fmt::format("{}", fmt::join(opened.warnings, "; "))),
-                                          wxICON_WARNING);
-    }
-    withPlayback([&](Playback& playback) {
-        if (const auto frame = playback.latest()) workspace_->stage->take(frame);
-    });
-}
-
-void MainFrame::showFailure(const std::string& message) {
-    toldAt_.reset();
-    workspace_->messages->ShowMessage(toWx(message), wxICON_ERROR);
-}
-
-void MainFrame::showNothing(const std::string& why) {
-    workspace_->clear();
-    turns_ = 0;
-    SetTitle("offmap-view");
-    showFailure(why);
-}
-
 void MainFrame::showScan(const Composed& composed) {
     const uint64_t turn = composed.frame->arrived.number;
     workspace_->plan->show(composed.frame);
@@ -223,8 +156,17 @@ void MainFrame::dismissOldMessage() {
     workspace_->messages->Dismiss();
 }
 
+/// One dialog after the other, the uppermost first; then the window.
+void MainFrame::end() {
+    for (auto node = wxTopLevelWindows.GetLast(); node; node = node->GetPrevious()) {
+        auto* dialog = wxDynamicCast(node->GetData(), wxDialog);
+        if (dialog && dialog->IsModal()) return dialog->EndModal(wxID_CANCEL);
+    }
+    Close(true);
+}
+
 void MainFrame::onTimer() {
-    if (interruption_.came()) return static_cast<void>(Close(true));
+    if (interruption_.came()) return end();
     dismissOldMessage();
     for (const ReducedTurn& turn : reducedTurns_.take()) {
         workspace_->timeline->add(turn.number, turn.removedShare, turn.milliseconds, turn.suspect);
@@ -232,6 +174,7 @@ void MainFrame::onTimer() {
     const auto playback = session_.playback();
     workspace_->controls->setPlaying(playback && playback->playing(),
                                      playback && playback->canPause());
+    if (playback) tellOfFailures(*playback);
     const auto frame = playback ? playback->latest() : nullptr;
     if (!frame) return;
     workspace_->figures->show(playback->figures(), frame);
@@ -249,7 +192,8 @@ void MainFrame::restore() {
     if (state_.maximised) Maximize();
     Layout();
     workspace_->setSashes(state_.sashes);
-    workspace_->controls->setSpeed(state_.speed);
+    const bool isGiven = request_.live.from.speed != app::SourceOptions().speed;
+    workspace_->controls->setSpeed(isGiven ? request_.live.from.speedFactor() : state_.speed);
     setDark(state_.dark);
     setCameraMode(state_.cameraMode);
     change([&](SceneChoices& choices) {

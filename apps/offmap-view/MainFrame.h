@@ -37,27 +37,34 @@ class MainFrame : public wxFrame {
     void wireMenu();
     void restore();
     void save();
-    void open();
-    void showOpened(const Opened& opened);
     void showScan(const Composed& composed);
     void showStory(const view::SegmentStory* story);
-    void showNothing(const std::string& why);
-    void showFailure(const std::string& message);
     void onTimer();
+    void end();
     void dismissOldMessage();
     void onClose();
     void onKey(wxKeyEvent& event);
+
+    // MainFrameFiles.cpp
     Session::Events sessionEvents();
     Exports::Events exportEvents();
+    void openFile(const std::string& file);
+    void openLog(const std::string& file);
+    void openMap(const std::string& file);
+    void open();
+    void showOpened(const Opened& opened);
+    void showNothing(const Failure& failure);
+    void showFailure(const std::string& message);
+    void tellOfFailures(Playback& playback);
+    void rememberFiles();
+    void toggleRecording();
+    void finishRecording(Playback& playback);
 
     // MainFrameActions.cpp
     std::map<Action, std::function<void()>> makeActions();
     void askForLog();
     void askForMap();
     void askForLiveSource();
-    void openFile(const std::string& file);
-    void openLog(const std::string& file);
-    void openMap(const std::string& file);
     void setDark(bool dark);
     void change(const std::function<void(SceneChoices&)>& choose);
     void setCameraMode(CameraMode mode);
@@ -67,16 +74,15 @@ class MainFrame : public wxFrame {
     std::string askForTarget(const char* title, const char* name, const char* files);
     void exportFigure();
     void exportTurns();
-    void toggleRecording();
-    void finishRecording(Playback& playback);
     void tell(const std::string& message);
     const Theme& theme() const;
 
     Preferences preferences_;
     SessionRequest request_;
+    const app::LiveRequest commandLine_;
     ViewState state_;
     LiveEntries liveEntries_;
-    std::string recordingTo_;                                      // the file
+    bool failureIsTold_ = false;                                   // of what is open
     std::optional<std::chrono::steady_clock::time_point> toldAt_;  // what need not be read for long
     uint64_t turns_ = 0;                                           // of the log; 0: not known
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();

@@ -103,31 +103,6 @@ void MainFrame::askForLiveSource() {
     open();
 }
 
-/// By its name: a log, or else a map.
-void MainFrame::openFile(const std::string& file) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    const bool isLog = extension == ".rawlog" || extension == ".pcap" || extension == ".pcapng" ||
-                       extension == ".ini";
-    isLog ? openLog(file) : openMap(file);
-}
-
-void MainFrame::openLog(const std::string& file) {
-    state_.folder = std::filesystem::path(file).parent_path().string();
-    request_.live.from.source = file;
-    request_.startAt = 0;
-    request_.play = false;
-    open();
-}
-
-void MainFrame::openMap(const std::string& file) {
-    state_.folder = std::filesystem::path(file).parent_path().string();
-    request_.live.shared.map = file;
-    const auto playback = session_.playback();
-    const auto frame = playback ? playback->latest() : nullptr;
-    request_.startAt = frame ? frame->arrived.number : 0;
-    open();
-}
-
 void MainFrame::setDark(bool dark) {
     state_.dark = dark;
     applyToToolkit(theme());
@@ -154,8 +129,8 @@ void MainFrame::setCameraMode(CameraMode mode) {
 
 void MainFrame::saveScreenshot() {
     const std::string name = fromWx(wxDateTime::Now().Format("offmap-view-%Y%m%d-%H%M%S.png"));
-    const std::filesystem::path file = std::filesystem::current_path() / name;
     try {
+        const std::filesystem::path file = std::filesystem::current_path() / name;
         writePicture(workspace_->stage->canvas().picture(), file);
         tell("wrote " + file.string());
     } catch (const std::exception& error) {
@@ -192,27 +167,6 @@ void MainFrame::exportTurns() {
     if (file.empty()) return;
     tell("exporting to " + file + " ...");
     exports_.writeTurns(request_, workspace_->stage->sharedMap(), dialog.range(), file);
-}
-
-void MainFrame::toggleRecording() {
-    const auto playback = session_.playback();
-    if (!playback) return showFailure("there is nothing to record yet; open a log (Ctrl+O)");
-    if (playback->recording()) return finishRecording(*playback);
-    const std::string file =
-        askForTarget("Record the reduced log", "recorded.rawlog", "Logs (*.rawlog)|*.rawlog");
-    if (file.empty()) return;
-    withPlayback([&](Playback& p) { p.record(file); });
-    recordingTo_ = file;
-    tell("recording to " + file + "; Ctrl+R ends it");
-}
-
-void MainFrame::finishRecording(Playback& playback) {
-    try {
-        playback.finishRecording();
-        tell("wrote " + recordingTo_);
-    } catch (const std::exception& error) {
-        showFailure(error.what());
-    }
 }
 
 void MainFrame::tell(const std::string& message) {

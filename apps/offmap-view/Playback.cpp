@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Playback.h"
 
+#include "input/NamedFiles.h"
+
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace offmap::window {
@@ -27,11 +30,20 @@ void Playback::take(const live::LiveFramePtr& frame) {
     if (input_.tracked && frame->reduced.vehicleInMap) {
         input_.tracked->correct(*frame->reduced.vehicleInMap, frame->reduced.record.time);
     }
-    {
-        const std::lock_guard lock(mutex_);
-        if (recorder_) recorder_->add(*frame);
-    }
+    addToRecording(*frame);
     events_.onFrame(frame);
+}
+
+/// A disk that is full ends the recording, not the reduction.
+void Playback::addToRecording(const live::LiveFrame& frame) {
+    const std::lock_guard lock(mutex_);
+    if (!recorder_) return;
+    try {
+        recorder_->add(frame);
+    } catch (const std::exception& error) {
+        recordingFailure_ = error.what();
+        recorder_.reset();
+    }
 }
 
 void Playback::setConfig(const rawlog::Config& config) {
@@ -43,12 +55,12 @@ void Playback::setConfig(const rawlog::Config& config) {
 bool Playback::playing() const {
     const std::lock_guard lock(mutex_);
     return playing_ && !reduction_->finished() &&
-           !(canPause() && reduction_->source().health().state == live::SourceState::Ended);
+           !(canPause() && health().state == live::SourceState::Ended);
 }
 
 void Playback::play() {
     if (!canPause()) return;
-    if (reduction_->source().health().state == live::SourceState::Ended) input_.replay->jumpTo(0);
+    if (health().state == live::SourceState::Ended) input_.replay->jumpTo(0);
     const std::lock_guard lock(mutex_);
     playing_ = true;
     input_.replay->resume();
@@ -83,9 +95,12 @@ void Playback::setSpeed(double factor) {
 }
 
 void Playback::record(const std::filesystem::path& file) {
+    app::requireDistinct({{"the recording", file}}, {{"what is being read", input_.file}});
     auto recorder = std::make_unique<app::LiveRecorder>(file, true);
     const std::lock_guard lock(mutex_);
     recorder_ = std::move(recorder);
+    recordingTo_ = file;
+    recordingFailure_.clear();
 }
 
 bool Playback::recording() const {
@@ -93,13 +108,24 @@ bool Playback::recording() const {
     return recorder_ != nullptr;
 }
 
-void Playback::finishRecording() {
+bool Playback::recordingFailed() const {
+    const std::lock_guard lock(mutex_);
+    return !recordingFailure_.empty();
+}
+
+std::filesystem::path Playback::finishRecording() {
+    std::filesystem::path file;
     std::unique_ptr<app::LiveRecorder> recorder;
     {
         const std::lock_guard lock(mutex_);
+        file = recordingTo_;
         recorder = std::move(recorder_);
+        if (!recordingFailure_.empty()) {
+            throw std::runtime_error(std::exchange(recordingFailure_, {}));
+        }
     }
     if (recorder) recorder->publish();
+    return file;
 }
 
 }  // namespace offmap::window

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 
 namespace offmap::window {
 
@@ -32,6 +33,7 @@ class Playback {
 
     live::LiveFramePtr latest() const { return reduction_->latest(); }
     live::LiveFigures figures() const { return reduction_->figures(); }
+    live::SourceHealth health() const { return reduction_->source().health(); }
     /// Why it ended before its source did; empty: it did not.
     std::string failure() const { return reduction_->failure(); }
 
@@ -53,11 +55,16 @@ class Playback {
     /// Records what is reduced from now on. \throw std::runtime_error naming the file
     void record(const std::filesystem::path& file);
     bool recording() const;
-    /// The recording appears. \throw std::runtime_error naming the file
-    void finishRecording();
+    /// The recording appears. \throw std::runtime_error naming the file, also if it has ended
+    /// before because it could not be written
+    /// \return the file
+    std::filesystem::path finishRecording();
+    /// Whether it has so ended, and finishRecording() will tell.
+    bool recordingFailed() const;
 
  private:
     void take(const live::LiveFramePtr& frame);
+    void addToRecording(const live::LiveFrame& frame);
 
     app::LiveInput input_;
     live::LiveSetup setup_;
@@ -65,6 +72,8 @@ class Playback {
     mutable std::mutex mutex_;  // of what follows
     bool playing_;
     std::unique_ptr<app::LiveRecorder> recorder_;
+    std::filesystem::path recordingTo_;
+    std::string recordingFailure_;  // of the recording that was going on; empty: none
     std::unique_ptr<live::LiveReduction> reduction_;  // last: its threads end before the rest does
 };
 

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 namespace offmap::window {
@@ -25,13 +23,6 @@ std::string nothingToShow(const std::string& log, const rawlog::LogSurvey& surve
     }
     return fmt::format("{}: no 3D scans in {} entries ({}); `offmap info` tells what it holds", log,
                        survey.entries, fmt::join(classes, ", "));
-}
-
-/// What a map that was read depends on.
-std::string keyOf(const std::string& file, const rawlog::MapConfig& config) {
-    std::error_code ignored;
-    const auto written = std::filesystem::last_write_time(file, ignored).time_since_epoch();
-    return fmt::format("{} {} {} {}", file, written.count(), config.sigma, config.minLength);
 }
 
 }  // namespace
@@ -50,6 +41,7 @@ void Session::close() {
     {
         const std::lock_guard lock(mutex_);
         ending = std::move(playback_);
+        opening_ = false;
     }
 }
 
@@ -87,8 +79,10 @@ void Session::load(const SessionRequest& request, const std::stop_token& stop) {
     playback.reset();  // its threads end here
     events_.onClosed();
     Opened opened;
+    bool readsMap = true;
     try {
         opened.map = readMap(request, opened, stop);
+        readsMap = false;
         if (!request.live.from.source.empty()) playback = openSource(request, opened, stop);
     } catch (const Stopped&) {
         return;  // the next thread is at work
@@ -97,7 +91,7 @@ void Session::load(const SessionRequest& request, const std::stop_token& stop) {
             const std::lock_guard lock(mutex_);
             opening_ = false;
         }
-        events_.onFailure(error.what());
+        events_.onFailure({error.what(), readsMap});
         return;
     }
     {
@@ -113,16 +107,10 @@ std::shared_ptr<const core::LineMap> Session::readMap(const SessionRequest& requ
                                                       const std::stop_token& stop) {
     const std::string file = request.live.shared.map.string();
     if (file.empty()) return std::make_shared<core::LineMap>(std::vector<core::Wall>());
-    const std::string key = keyOf(file, request.config.map);
-    if (!lastMap_ || key != lastMapKey_) {
-        app::LoadedMap loaded = app::loadedMapOf(reader_.readMap(file, request.config, stop), file);
-        opened.warnings = std::move(loaded.warnings);
-        lastMap_ = std::make_shared<core::LineMap>(std::move(loaded.lines));
-        lastMapDescription_ = std::move(loaded.description);
-        lastMapKey_ = key;
-    }
-    opened.mapDescription = lastMapDescription_;
-    return lastMap_;
+    app::LoadedMap loaded = app::loadedMapOf(reader_.readMap(file, request.config, stop), file);
+    opened.warnings = std::move(loaded.warnings);
+    opened.mapDescription = std::move(loaded.description);
+    return std::make_shared<core::LineMap>(std::move(loaded.lines));
 }
 
 std::shared_ptr<Playback> Session::openSource(const SessionRequest& request, Opened& opened,

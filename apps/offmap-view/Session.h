@@ -29,6 +29,12 @@ struct Opened {
     uint64_t turns = 0;  ///< of the log; 0 of what has no known end
 };
 
+/// Why nothing is.
+struct Failure {
+    std::string message;
+    bool isOfMap = false;  ///< the map cannot be read; else the source
+};
+
 /// Opens maps and sources on a thread of its own; the functions return at once.
 class Session {
  public:
@@ -37,7 +43,7 @@ class Session {
         /// What was open is not any more: no more turns of it come.
         std::function<void()> onClosed;
         std::function<void(const Opened&)> onOpened;
-        std::function<void(const std::string&)> onFailure;
+        std::function<void(const Failure&)> onFailure;
         PlaybackEvents playback;
     };
 
@@ -67,9 +73,6 @@ class Session {
     std::shared_ptr<Playback> playback_;
     bool opening_ = false;
 
-    // Of the loading thread: the map that was read last, for another log.
-    std::string lastMapKey_, lastMapDescription_;
-    std::shared_ptr<const core::LineMap> lastMap_;
     std::jthread loader_;  // last: it ends before the rest does
 };
 

@@ -25,6 +25,10 @@ app::LiveRequest ViewOptions::request() const {
     request.from.source = log.empty() ? live : log;
     request.shared = shared;
     request.forWindow = true;
+    // What is wrong with these is told now, not in the window.
+    request.from.speedFactor();
+    request.from.udpPort();
+    shared.mapFile.request({});
     return request;
 }
 
