@@ -101,7 +101,7 @@ TEST_F(PlanPaneTest, theEllipseReachesThreeDeviations) {
 TEST_F(PlanPaneTest, keptReturnsAreDotsInTheMap) {
     plan_->show(shared(test::madeUpFrame()));
     const auto dots = spotOf(plan_.picture(), toWx(Theme::darkOne().palette.kept));
-    EXPECT_EQ(dots.count, 4);  // eleven in the same place
+    EXPECT_EQ(dots.count, 4);             // eleven in the same place
     EXPECT_NEAR(dots.left, xOf(9.3), 1);  // as the scan was found to have been taken
     EXPECT_NEAR(dots.top, yOf(4), 1);
     plan_->show(nullptr);
