@@ -26,14 +26,17 @@ ScanCanvas::ScanCanvas(wxWindow* parent) : CWxGLCanvasBase(parent) {
 void ScanCanvas::bindMouse() {
     const auto press = [this](wxMouseEvent& event) {
         pressedAt_ = lastAt_ = event.GetPosition();
+        pressed_ = true;
         turned_ = false;
         SetFocus();
     };
     Bind(wxEVT_LEFT_DOWN, press);
+    Bind(wxEVT_LEFT_DCLICK, press);
     Bind(wxEVT_RIGHT_DOWN, press);
     Bind(wxEVT_MIDDLE_DOWN, press);
     Bind(wxEVT_LEFT_UP, [this](wxMouseEvent& event) { onRelease(event); });
-    Bind(wxEVT_RIGHT_UP, [](wxMouseEvent&) {});
+    Bind(wxEVT_RIGHT_UP, [this](wxMouseEvent&) { pressed_ = false; });
+    Bind(wxEVT_MIDDLE_UP, [this](wxMouseEvent&) { pressed_ = false; });
     Bind(wxEVT_MOTION, [this](wxMouseEvent& event) { onMotion(event); });
     Bind(wxEVT_MOUSEWHEEL, [this](wxMouseEvent& event) { onWheel(event); });
     // The base class would take the focus from whatever is being typed into.
@@ -74,7 +77,7 @@ void ScanCanvas::moveTo(const view::Camera& camera) {
 }
 
 void ScanCanvas::onMotion(const wxMouseEvent& event) {
-    if (!event.Dragging()) return;
+    if (!event.Dragging() || !pressed_) return;
     const wxPoint moved = event.GetPosition() - lastAt_;
     lastAt_ = event.GetPosition();
     constexpr int tremble = 3;  // [px] that a click may move
@@ -87,7 +90,8 @@ void ScanCanvas::onMotion(const wxMouseEvent& event) {
 }
 
 void ScanCanvas::onRelease(const wxMouseEvent& event) {
-    if (turned_) return;
+    // A button that was pressed in a dialog is released here when the dialog has gone.
+    if (!std::exchange(pressed_, false) || turned_) return;
     onClick(view::sightLine(camera_, {double(event.GetX()), double(event.GetY())}, pictureSize()));
 }
 
@@ -102,6 +106,7 @@ wxImage ScanCanvas::picture() {
     wanted_ = true;
     Refresh(false);
     Update();
+    wanted_ = false;  // nothing is painted while it is not shown
     return std::exchange(picture_, wxImage());
 }
 

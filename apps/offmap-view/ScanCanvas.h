@@ -29,7 +29,7 @@ class ScanCanvas : public mrpt::gui::CWxGLCanvasBase {
     const view::Camera& camera() const { return camera_; }
     view::PictureSize pictureSize() const;
 
-    /// What is on the screen.
+    /// What is on the screen; not OK if nothing is.
     wxImage picture();
 
     /// A click that did not turn the camera.
@@ -58,7 +58,8 @@ class ScanCanvas : public mrpt::gui::CWxGLCanvasBase {
     std::array<mrpt::opengl::CSetOfObjects::Ptr, partCount> parts_;
     view::Camera camera_;
     wxPoint pressedAt_, lastAt_;  // [px]
-    bool turned_ = false;         // since the button was pressed
+    bool pressed_ = false;        // a button, while the pointer was on the picture
+    bool turned_ = false;         // since then
     bool painting_ = false;
     bool wanted_ = false;  // a picture
     wxImage picture_;

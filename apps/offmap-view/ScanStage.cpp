@@ -64,11 +64,16 @@ void ScanStage::setMap(std::shared_ptr<const core::LineMap> map) {
 
 void ScanStage::take(const live::LiveFramePtr& frame) {
     const std::lock_guard lock(drawing_);
+    newest_ = frame;
     composer_.compose(frame, composedChoices_, composedPalette_);
 }
 
 void ScanStage::clear() {
-    composer_.clear();
+    {
+        const std::lock_guard lock(drawing_);
+        newest_.reset();
+        composer_.clear();
+    }
     shown_.reset();
     followed_.reset();
     canvas_->setPart(ScanCanvas::Part::Cloud, nullptr);
@@ -77,12 +82,11 @@ void ScanStage::clear() {
 }
 
 void ScanStage::composeAgain() {
-    {
-        const std::lock_guard lock(drawing_);
-        composedChoices_ = choices_;
-        composedPalette_ = theme_->palette;
-    }
-    if (shown_) take(shown_->frame);
+    const std::lock_guard lock(drawing_);
+    composedChoices_ = choices_;
+    composedPalette_ = theme_->palette;
+    // Not what is shown: a newer one may be on its way.
+    if (newest_) composer_.compose(newest_, composedChoices_, composedPalette_);
 }
 
 void ScanStage::setTheme(const Theme& theme) {

@@ -76,6 +76,7 @@ class ScanStage : public wxPanel {
     live::LiveFramePtr pickedIn_;                          // null: nothing is picked
     wxTimer pacer_;                                        // of onShown
     std::mutex drawing_;                                   // of what the composer is to know
+    live::LiveFramePtr newest_;                            // that was to be drawn
     SceneChoices composedChoices_;
     view::Palette composedPalette_;
     FrameComposer composer_;  // last: its thread ends before the rest does

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <wx/app.h>
+#include <wx/image.h>
 #include <wx/init.h>
+#include <wx/log.h>
 
 std::filesystem::path offmap::test::offmapBinary() { return OFFMAP_BINARY; }
 
@@ -18,6 +20,8 @@ int main(int argc, char** argv) {
     });
     wxApp::SetInstance(new wxApp);
     const wxInitializer toolkit(argc, argv);
-    if (!toolkit.IsOk()) return 2;  // no screen
+    if (!toolkit.IsOk()) return 2;                   // no screen
+    delete wxLog::SetActiveTarget(new wxLogStderr);  // no dialogs, which would wait
+    wxImage::AddHandler(new wxPNGHandler);
     return RUN_ALL_TESTS();
 }
