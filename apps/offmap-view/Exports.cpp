@@ -115,7 +115,8 @@ void Exports::begin(const std::filesystem::path& file,
     });
 }
 
-void Exports::writeFigure(const live::LiveFramePtr& frame, std::shared_ptr<const core::LineMap> map,
+void Exports::writeFigure(const live::LiveFramePtr& frame,
+                          const std::shared_ptr<const core::LineMap>& map,
                           const SceneChoices& choices, const Theme& theme,
                           const std::filesystem::path& file) {
     view::FigureOptions options;
@@ -130,8 +131,9 @@ void Exports::writeFigure(const live::LiveFramePtr& frame, std::shared_ptr<const
     });
 }
 
-void Exports::writeTurns(const SessionRequest& request, std::shared_ptr<const core::LineMap> map,
-                         const TurnRange& range, const std::filesystem::path& file) {
+void Exports::writeTurns(const SessionRequest& request,
+                         const std::shared_ptr<const core::LineMap>& map, const TurnRange& range,
+                         const std::filesystem::path& file) {
     begin(file, [=, this](const std::stop_token& stop) {
         app::requireDistinct({{"the export", file}}, {{"the log", request.live.from.source},
                                                       {"the map", request.live.shared.map}});

@@ -30,11 +30,11 @@ class Exports {
     Exports(FileReader reader, Events events);
 
     /// The scan as the command `offmap render` draws it. \param file PNG
-    void writeFigure(const live::LiveFramePtr& frame, std::shared_ptr<const core::LineMap> map,
-                     const SceneChoices& choices, const Theme& theme,
-                     const std::filesystem::path& file);
+    void writeFigure(const live::LiveFramePtr& frame,
+                     const std::shared_ptr<const core::LineMap>& map, const SceneChoices& choices,
+                     const Theme& theme, const std::filesystem::path& file);
     /// Reduces these turns of the log anew and writes them. \param request of the log
-    void writeTurns(const SessionRequest& request, std::shared_ptr<const core::LineMap> map,
+    void writeTurns(const SessionRequest& request, const std::shared_ptr<const core::LineMap>& map,
                     const TurnRange& range, const std::filesystem::path& file);
     /// Ends what is going on; no file is left unfinished.
     void close();

@@ -12,7 +12,6 @@
 #include <wx/anybutton.h>
 #include <wx/checkbox.h>
 #include <wx/choice.h>
-#include <wx/dialog.h>
 #include <wx/display.h>
 #include <wx/dnd.h>
 #include <wx/sizer.h>
@@ -156,17 +155,9 @@ void MainFrame::dismissOldMessage() {
     workspace_->messages->Dismiss();
 }
 
-/// One dialog after the other, the uppermost first; then the window.
-void MainFrame::end() {
-    for (auto node = wxTopLevelWindows.GetLast(); node; node = node->GetPrevious()) {
-        auto* dialog = wxDynamicCast(node->GetData(), wxDialog);
-        if (dialog && dialog->IsModal()) return dialog->EndModal(wxID_CANCEL);
-    }
-    Close(true);
-}
-
 void MainFrame::onTimer() {
-    if (interruption_.came()) return end();
+    // One dialog after the other, then the window.
+    if (interruption_.came()) return static_cast<void>(dialogs_.cancelOne() || Close(true));
     dismissOldMessage();
     for (const ReducedTurn& turn : reducedTurns_.take()) {
         workspace_->timeline->add(turn.number, turn.removedShare, turn.milliseconds, turn.suspect);

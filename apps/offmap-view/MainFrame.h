@@ -4,6 +4,7 @@
 #include "Exports.h"
 #include "LiveDialog.h"
 #include "MainMenu.h"
+#include "OpenDialogs.h"
 #include "Preferences.h"
 #include "ReducedTurns.h"
 #include "Session.h"
@@ -40,7 +41,6 @@ class MainFrame : public wxFrame {
     void showScan(const Composed& composed);
     void showStory(const view::SegmentStory* story);
     void onTimer();
-    void end();
     void dismissOldMessage();
     void onClose();
     void onKey(wxKeyEvent& event);
@@ -87,6 +87,7 @@ class MainFrame : public wxFrame {
     uint64_t turns_ = 0;                                           // of the log; 0: not known
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
     app::Interruption interruption_;
+    OpenDialogs dialogs_;
     MainMenu* menu_;
     Workspace* workspace_;
     std::map<Action, std::function<void()>> actions_;

@@ -2,6 +2,7 @@
 #include "MainMenu.h"
 
 #include <string_view>
+#include <wx/control.h>
 
 namespace offmap::window {
 

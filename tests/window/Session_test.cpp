@@ -1,92 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Session.h"
-
-#include "../support/Places.h"
-#include "EndlessFile.h"
-#include "OfficeLogs.h"
-#include "WaitFor.h"
-
-#include <gmock/gmock.h>
-
-#include <mutex>
+#include "SessionFixture.h"
 
 namespace offmap::window {
 
 namespace {
 
-using test::waitFor;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr uint64_t turns = 8;
-
-class SessionTest : public testing::Test {
- protected:
-    SessionTest() : session_(FileReader({}, test::offmapBinary()), events()) {
-        test::writeFile(map_, test::officeMap());
-        test::writeLog(log_, test::officeDrive(turns));
-    }
-
-    Session::Events events() {
-        Session::Events events;
-        events.onClosed = [] {};
-        events.onOpened = [this](const Opened& opened) {
-            const std::lock_guard lock(mutex_);
-            opened_.push_back(opened);
-        };
-        events.onFailure = [this](const Failure& failure) {
-            const std::lock_guard lock(mutex_);
-            failures_.push_back(failure.message);
-            isOfMap_ = failure.isOfMap;
-        };
-        events.playback.onFrame = events.playback.onLatest = [](const auto&) {};
-        return events;
-    }
-
-    void open(const std::filesystem::path& log, const std::filesystem::path& map,
-              uint64_t startAt = 0) {
-        SessionRequest request = test::requestOf(log, map);
-        request.startAt = startAt;
-        session_.open(request);
-    }
-    bool answers(size_t count = 1) {
-        return waitFor([&] {
-            const std::lock_guard lock(mutex_);
-            return opened_.size() + failures_.size() >= count;
-        });
-    }
-    /// What there is to be said about files that cannot be shown.
-    std::string complaintAbout(const std::filesystem::path& log, const std::filesystem::path& map) {
-        failures_.clear();
-        open(log, map);
-        if (!answers()) return "no answer";
-        EXPECT_THAT(opened_, IsEmpty());
-        EXPECT_EQ(session_.playback(), nullptr);
-        EXPECT_FALSE(session_.opening());
-        return failures_.empty() ? "none" : failures_[0];
-    }
-    std::filesystem::path fileOf(const std::string& name, const std::string& content) {
-        test::writeFile(folder_ / name, content);
-        return folder_ / name;
-    }
-    /// The number of the turn that is looked at.
-    uint64_t turnShown() {
-        const auto playback = session_.playback();
-        EXPECT_TRUE(waitFor([&] { return playback->latest() != nullptr; }));
-        return playback->latest()->arrived.number;
-    }
-
-    test::TemporaryFolder folder_;
-    const std::filesystem::path log_ = folder_ / "drive.rawlog", map_ = folder_ / "office.txt";
-    std::mutex mutex_;
-    std::vector<Opened> opened_;
-    std::vector<std::string> failures_;
-    bool isOfMap_ = false;  ///< the last failure
-    Session session_;       // last: its threads call what stands above
-};
-
-constexpr std::chrono::seconds aMoment{1};
+class SessionTest : public test::SessionFixture {};
 
 /// A picture of a room of 6 m by 4 m, and what describes it.
 void writeGrid(const std::filesystem::path& yaml, int wall) {
@@ -171,61 +94,6 @@ TEST_F(SessionTest, aLogThatEndsTooEarlyIsShownAsFarAsItGoes) {
     EXPECT_LT(opened_[0].turns, turns);
     EXPECT_THAT(opened_[0].warnings, ElementsAre(HasSubstr("cut.rawlog")));
     EXPECT_EQ(turnShown(), 0U);
-}
-
-TEST_F(SessionTest, whatIsOpenedNextWins) {
-    test::EndlessFile log(folder_ / "endless.rawlog"), map(folder_ / "endless.txt");
-    open(log.path(), {});
-    ASSERT_TRUE(log.isRead());
-    open(log_, map.path());
-    open(fileOf("notes.rawlog", "Dear diary,\n"), map.path());
-    open(log_, map_);
-    EXPECT_TRUE(session_.opening());
-    ASSERT_TRUE(answers());
-    ASSERT_THAT(failures_, IsEmpty());
-    EXPECT_THAT(opened_[0].sourceDescription, HasSubstr("drive.rawlog"));
-    EXPECT_EQ(turnShown(), 0U);
-    session_.close();
-    EXPECT_EQ(opened_.size(), 1U);
-}
-
-TEST_F(SessionTest, openingReturnsAtOnce) {
-    const test::EndlessFile endless(folder_ / "endless.rawlog");
-    EXPECT_LT(test::timeOf([&] {
-                  for (int i = 0; i < 10; ++i) open(endless.path(), map_);
-              }),
-              aMoment);
-}
-
-TEST_F(SessionTest, closesWhileItReadsALog) {
-    test::EndlessFile endless(folder_ / "endless.rawlog");
-    open(endless.path(), {});
-    ASSERT_TRUE(endless.isRead());
-    EXPECT_LT(test::timeOf([&] { session_.close(); }), aMoment);
-    EXPECT_THAT(opened_, IsEmpty());
-    EXPECT_THAT(failures_, IsEmpty()) << "it was not the file's fault";
-    EXPECT_FALSE(session_.opening());
-}
-
-TEST_F(SessionTest, closesWhileItReadsAMap) {
-    test::EndlessFile endless(folder_ / "endless.txt");
-    open(log_, endless.path());
-    ASSERT_TRUE(endless.isRead());
-    EXPECT_LT(test::timeOf([&] { session_.close(); }), aMoment);
-    EXPECT_THAT(opened_, IsEmpty());
-    EXPECT_THAT(failures_, IsEmpty());
-}
-
-TEST_F(SessionTest, closesWhileItPlays) {
-    SessionRequest request = test::requestOf(log_, map_);
-    request.play = true;
-    session_.open(request);
-    ASSERT_TRUE(answers());
-    EXPECT_LT(test::timeOf([&] { session_.close(); }), aMoment);
-    EXPECT_EQ(session_.playback(), nullptr);
-    open(log_, map_);
-    ASSERT_TRUE(answers(2)) << "and can be used again";
-    EXPECT_EQ(opened_.size(), 2U);
 }
 
 TEST_F(SessionTest, anotherMapShowsTheSameTurn) {
