@@ -86,10 +86,12 @@ void Playback::step(int turns) {
     }
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): what is played changes
 void Playback::jumpTo(uint64_t turn) {
     if (canPause()) input_.replay->jumpTo(turn);
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): what is played changes
 void Playback::setSpeed(double factor) {
     if (canPause()) input_.replay->setSpeed(factor);
 }

@@ -60,6 +60,7 @@ wxWindow* Workspace::makeNotebook(wxWindow* parent) {
     return notebook;
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): what is shown changes
 void Workspace::setTheme(const Theme& theme) {
     controls->setTheme(theme);
     stage->setTheme(theme);
@@ -70,6 +71,7 @@ void Workspace::setTheme(const Theme& theme) {
     timeline->setTheme(theme);
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): what is shown changes
 void Workspace::clear() {
     const auto nothing = std::make_shared<core::LineMap>(std::vector<core::Wall>());
     stage->setMap(nothing);
