@@ -1,144 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PieceReader.h"
+#include "ReadAhead.h"
+
 #include <offmap/rawlog/InputFile.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <stdexcept>
-#include <sys/stat.h>
 #include <utility>
-#include <zlib.h>
 
 namespace offmap::rawlog {
-namespace {
 
-constexpr size_t pieceSize = 1 << 18;  // [byte]
-constexpr int gzipOnly = 15 + 16;      // largest window, gzip header expected
-
-[[noreturn]] void failToOpen(const std::filesystem::path& file, int error) {
-    std::string_view fix = "check the file and the disk";
-    if (error == ENOENT || error == ENOTDIR) fix = "check the path";
-    if (error == EACCES || error == EPERM) fix = "check its permissions";
-    throw std::runtime_error(
-        fmt::format("cannot open {}: {}; {}", file.string(), std::strerror(error), fix));
+InputFile::InputFile(const std::filesystem::path& file, WaitForMore waitForMore, Reading reading)
+    : reader_(std::make_unique<PieceReader>(file, std::move(waitForMore))),
+      piece_(std::make_unique<FilePiece>()) {
+    if (reading == Reading::Ahead) ahead_ = std::make_unique<ReadAhead>(*reader_);
 }
 
-uint64_t checkedSize(std::FILE* file, const std::filesystem::path& path) {
-    struct stat info {};
-    if (fstat(fileno(file), &info) != 0) failToOpen(path, errno);
-    if (S_ISDIR(info.st_mode)) {
-        throw std::runtime_error(path.string() + " is a folder; name a file in it");
-    }
-    if (!S_ISREG(info.st_mode)) {
-        throw std::runtime_error(
-            path.string() + " is not a regular file; copy its content into one, it is read twice");
-    }
-    return static_cast<uint64_t>(info.st_size);
-}
-
-void endInflate(z_stream* stream) {
-    inflateEnd(stream);
-    delete stream;
-}
-
-}  // namespace
-
-InputFile::InputFile(const std::filesystem::path& file, WaitForMore waitForMore)
-    : file_(std::fopen(file.c_str(), "rbe"), std::fclose),
-      waitForMore_(std::move(waitForMore)),
-      inflate_(nullptr, endInflate) {
-    if (!file_) failToOpen(file, errno);
-    compressedSize_ = checkedSize(file_.get(), file);
-    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-    compressed_.resize(pieceSize);
-    plain_.resize(pieceSize);
-    size_t size = 0;
-    readPiece(compressed_, size);
-    const bool isGzip = size >= 2 && compressed_[0] == 0x1f && compressed_[1] == 0x8b;
-    if (!isGzip) {
-        plain_.swap(compressed_);
-        plainEnd_ = size;
-        return;
-    }
-    auto stream = std::make_unique<z_stream>();
-    if (inflateInit2(stream.get(), gzipOnly) != Z_OK) throw std::bad_alloc();
-    inflate_.reset(stream.release());
-    inflate_->next_in = compressed_.data();
-    inflate_->avail_in = static_cast<uInt>(size);
-}
+InputFile::~InputFile() = default;
 
 size_t InputFile::read(void* to, size_t count) {
     auto* out = static_cast<unsigned char*>(to);
-    size_t done = 0;
-    while (done < count && (plainBegin_ < plainEnd_ || fill())) {
-        const size_t size = std::min(count - done, plainEnd_ - plainBegin_);
-        std::memcpy(out + done, plain_.data() + plainBegin_, size);
-        plainBegin_ += size;
-        done += size;
+    size_t size = 0;
+    while (size < count && !atEnd()) {
+        const size_t part = std::min(count - size, piece_->bytes.size() - done_);
+        std::memcpy(out + size, piece_->bytes.data() + done_, part);
+        done_ += part;
+        size += part;
     }
-    position_ += done;
-    return done;
+    position_ += size;
+    return size;
 }
 
-bool InputFile::atEnd() { return plainBegin_ == plainEnd_ && !fill(); }
+bool InputFile::atEnd() { return done_ == piece_->bytes.size() && !fill(); }
 
 bool InputFile::fill() {
-    plainBegin_ = plainEnd_ = 0;
-    if (!failure_.empty()) return false;
-    return inflate_ ? fillInflated() : readPiece(plain_, plainEnd_);
+    if (!piece_->failure.empty()) return false;
+    ahead_ ? ahead_->take(*piece_) : reader_->read(*piece_);
+    done_ = 0;
+    return !piece_->bytes.empty();
 }
 
-bool InputFile::readPiece(std::vector<unsigned char>& to, size_t& size) {
-    do {
-        std::clearerr(file_.get());  // the end of the file, where it ended before
-        size = std::fread(to.data(), 1, to.size(), file_.get());
-    } while (size == 0 && !std::ferror(file_.get()) && waitForMore_ && waitForMore_());
-    compressedPosition_ += size;
-    if (std::ferror(file_.get())) failure_ = fmt::format("read error: {}", std::strerror(errno));
-    return size > 0;
-}
-
-bool InputFile::fillInflated() {
-    z_stream& stream = *inflate_;
-    while (failure_.empty() && plainEnd_ == 0) {
-        if (stream.avail_in == 0) {
-            size_t size = 0;
-            if (!readPiece(compressed_, size)) {
-                if (inMember_ && failure_.empty()) failure_ = "its gzip stream ends too early";
-                return false;
-            }
-            stream.next_in = compressed_.data();
-            stream.avail_in = static_cast<uInt>(size);
-        }
-        if (!inMember_ && !beginMember()) continue;
-        stream.next_out = plain_.data();
-        stream.avail_out = static_cast<uInt>(plain_.size());
-        const int status = inflate(&stream, Z_NO_FLUSH);
-        plainEnd_ = plain_.size() - stream.avail_out;
-        if (status == Z_STREAM_END) {
-            inMember_ = firstMember_ = false;
-        } else if (status != Z_OK && status != Z_BUF_ERROR) {
-            failure_ = fmt::format("gzip: {}", stream.msg ? stream.msg : zError(status));
-        }
-    }
-    return plainEnd_ > 0;
-}
-
-bool InputFile::beginMember() {
-    z_stream& stream = *inflate_;
-    if (!firstMember_) {
-        // Some tapes and file systems pad with zeros; gzip allows it.
-        while (stream.avail_in > 0 && *stream.next_in == 0) ++stream.next_in, --stream.avail_in;
-        if (stream.avail_in == 0) return false;
-        if (*stream.next_in != 0x1f) {
-            failure_ = "bytes that are not gzip follow the end of its gzip stream";
-            return false;
-        }
-    }
-    inMember_ = inflateReset(&stream) == Z_OK;
-    return inMember_;
-}
+const std::string& InputFile::failure() const { return piece_->failure; }
+bool InputFile::isGzip() const { return reader_->isGzip(); }
+uint64_t InputFile::compressedPosition() const { return piece_->compressedPosition; }
+uint64_t InputFile::compressedSize() const { return reader_->compressedSize(); }
 
 }  // namespace offmap::rawlog

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/rawlog/GzipMember.h>
 #include <offmap/rawlog/OutputFile.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -11,15 +13,14 @@
 #include <random>
 #include <stdexcept>
 #include <unistd.h>
-#include <zlib.h>
+#include <utility>
 
 namespace offmap::rawlog {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr size_t pieceSize = 1 << 18;  // [byte]
-constexpr int gzipFormat = 15 + 16;    // largest window, gzip header
-constexpr int defaultMemory = 8;
+constexpr size_t blockSize = 1 << 20;  // [byte] uncompressed; 20 to 30 bytes of gzip for each
 
 std::string_view fixFor(int error) {
     switch (error) {
@@ -65,27 +66,13 @@ fs::path hiddenNameBeside(const fs::path& target) {
     return target.parent_path() / fmt::format(".{}.{}.part", name, suffix);
 }
 
-void endDeflate(z_stream* stream) {
-    deflateEnd(stream);
-    delete stream;
-}
-
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& target, const OutputOptions& options)
-    : target_(target),
-      options_(options),
-      file_(nullptr, std::fclose),
-      deflate_(nullptr, endDeflate) {
+    : target_(target), options_(options), file_(nullptr, std::fclose) {
     checkTarget();
-    if (options.gzipLevel) {
-        auto stream = std::make_unique<z_stream>();
-        const int status = deflateInit2(stream.get(), *options.gzipLevel, Z_DEFLATED, gzipFormat,
-                                        defaultMemory, Z_DEFAULT_STRATEGY);
-        if (status == Z_MEM_ERROR) throw std::bad_alloc();
-        if (status != Z_OK) throw std::invalid_argument("gzip level must be 0 to 9");
-        deflate_.reset(stream.release());
-        compressed_.resize(pieceSize);
+    if (options.gzipLevel && (*options.gzipLevel < 0 || *options.gzipLevel > 9)) {
+        throw std::invalid_argument("gzip level must be 0 to 9");
     }
     ignoreFileSizeSignal();
     openTemporary();
@@ -135,36 +122,37 @@ void OutputFile::removeTemporary() noexcept {
 }
 
 void OutputFile::write(std::span<const std::byte> bytes) {
+    if (!options_.gzipLevel) return append(bytes);
+    for (const auto& block : cut(bytes)) append(packed(block));
+}
+
+std::vector<std::vector<std::byte>> OutputFile::cut(std::span<const std::byte> bytes) {
     if (!file_) throw std::logic_error("OutputFile is finished already");
-    if (!deflate_) return writePlain(bytes.data(), bytes.size());
-    constexpr size_t longest = 1 << 30;  // zlib counts in 32 bits
-    for (; bytes.size() > longest; bytes = bytes.subspan(longest)) {
-        deflatePiece(bytes.first(longest), Z_NO_FLUSH);
+    std::vector<std::vector<std::byte>> full;
+    while (!bytes.empty()) {
+        if (block_.empty()) block_.reserve(blockSize);
+        const auto part = bytes.first(std::min(bytes.size(), blockSize - block_.size()));
+        block_.insert(block_.end(), part.begin(), part.end());
+        bytes = bytes.subspan(part.size());
+        if (block_.size() == blockSize) full.push_back(std::exchange(block_, {}));
     }
-    deflatePiece(bytes, Z_NO_FLUSH);
+    return full;
 }
 
-void OutputFile::deflatePiece(std::span<const std::byte> bytes, int flush) {
-    z_stream& stream = *deflate_;
-    // zlib's interface is not const-correct; it does not write to its input.
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(bytes.data()));
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    do {
-        stream.next_out = compressed_.data();
-        stream.avail_out = static_cast<uInt>(compressed_.size());
-        if (deflate(&stream, flush) == Z_STREAM_ERROR) throw std::logic_error("deflate failed");
-        writePlain(compressed_.data(), compressed_.size() - stream.avail_out);
-    } while (stream.avail_out == 0);
+std::vector<std::byte> OutputFile::packed(std::span<const std::byte> block) const {
+    return gzipMember(block, options_.gzipLevel.value());
 }
 
-void OutputFile::writePlain(const void* bytes, size_t count) {
-    if (std::fwrite(bytes, 1, count, file_.get()) != count) fail(errno);
-    size_ += count;
+void OutputFile::append(std::span<const std::byte> packed) {
+    if (!file_) throw std::logic_error("OutputFile is finished already");
+    if (std::fwrite(packed.data(), 1, packed.size(), file_.get()) != packed.size()) fail(errno);
+    size_ += packed.size();
 }
 
 uint64_t OutputFile::finish() {
     if (!file_) return size_;
-    if (deflate_) deflatePiece({}, Z_FINISH);
+    const bool last = !block_.empty() || size_ == 0;  // of nothing, an empty member
+    if (options_.gzipLevel && last) append(packed(std::exchange(block_, {})));
     if (std::fflush(file_.get()) != 0) fail(errno);
     // EINVAL, ENOTSUP: this file system cannot sync
     if (fsync(fileno(file_.get())) != 0 && errno != EINVAL && errno != ENOTSUP) fail(errno);

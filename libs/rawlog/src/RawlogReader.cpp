@@ -16,9 +16,10 @@
 namespace offmap::rawlog {
 namespace {
 
-InputFile opened(const std::filesystem::path& file, InputFile::WaitForMore waitForMore) {
+InputFile opened(const std::filesystem::path& file, InputFile::WaitForMore waitForMore,
+                 Reading reading) {
     try {
-        return InputFile(file, std::move(waitForMore));
+        return InputFile(file, std::move(waitForMore), reading);
     } catch (const std::runtime_error& e) {
         throw RawlogError(e.what(), {});
     }
@@ -48,9 +49,10 @@ bool belongsInRawlog(const mrpt::serialization::CSerializable* object) {
 
 }  // namespace
 
-RawlogReader::RawlogReader(const std::filesystem::path& file, InputFile::WaitForMore waitForMore)
+RawlogReader::RawlogReader(const std::filesystem::path& file, InputFile::WaitForMore waitForMore,
+                           Reading reading)
     : file_(file),
-      input_(opened(file, std::move(waitForMore))),
+      input_(opened(file, std::move(waitForMore), reading)),
       stream_(input_),
       archive_(
           mrpt::serialization::archiveUniquePtrFrom(static_cast<mrpt::io::CStream&>(stream_))) {

@@ -11,8 +11,6 @@
 #include <string_view>
 #include <vector>
 
-struct z_stream_s;
-
 namespace offmap::rawlog {
 
 /// Is told of temporary files, so that they can be removed if the program that writes them dies.
@@ -31,7 +29,8 @@ struct OutputOptions {
 
 /// A file that appears under its name only when it is complete. Until publish() its content stands
 /// in a hidden temporary file beside it, which the destructor removes. The bytes written depend on
-/// the content alone: no time stamp, no file name.
+/// the content alone: no time stamp, no file name. Compressed, it is cut into blocks of fixed size,
+/// each a gzip member, so that threads can share the work.
 class OutputFile {
  public:
     /// \throw std::runtime_error naming the file, the cause and the fix, as all members do.
@@ -42,6 +41,12 @@ class OutputFile {
 
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
+
+    /// write() in three steps, for a compressed file: what the bytes complete, in order; each block
+    /// packed, in any thread; the packed ones, in order.
+    std::vector<std::vector<std::byte>> cut(std::span<const std::byte> bytes);
+    std::vector<std::byte> packed(std::span<const std::byte> block) const;
+    void append(std::span<const std::byte> packed);
 
     /// Brings everything to the disk and closes the file. Several files can so be known to be
     /// complete before the first is published. \return its size [byte]
@@ -56,17 +61,14 @@ class OutputFile {
     void checkTarget() const;
     void openTemporary();
     void removeTemporary() noexcept;
-    void deflatePiece(std::span<const std::byte> bytes, int flush);
-    void writePlain(const void* bytes, size_t count);
     void syncFolder() const;
     [[noreturn]] void fail(int error) const;
 
     std::filesystem::path target_, temporary_;
     OutputOptions options_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-    std::unique_ptr<z_stream_s, void (*)(z_stream_s*)> deflate_;  ///< null: not compressed
-    std::vector<unsigned char> compressed_;
-    uint64_t size_ = 0;  ///< [byte] written to the disk
+    std::vector<std::byte> block_;  ///< that is not full yet
+    uint64_t size_ = 0;             ///< [byte] written to the disk
 };
 
 }  // namespace offmap::rawlog

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace offmap::rawlog {
+
+/// The content as one gzip member, in the same bytes on every machine. Members one after the other
+/// are a gzip file. May be called in several threads at once.
+/// \param level 0 (stored) to 9 \throw std::invalid_argument if it is another
+std::vector<std::byte> gzipMember(std::span<const std::byte> content, int level);
+
+}  // namespace offmap::rawlog

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/rawlog/InputFile.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+struct inflate_state;
+
+namespace offmap::rawlog {
+
+/// A stretch of a file, unpacked; empty where the file ends for now or has failed.
+struct FilePiece {
+    std::vector<unsigned char> bytes;
+    uint64_t compressedPosition = 0;  ///< [byte] of the file, as far as it was read for this
+    std::string failure;              ///< why nothing can be read after this; empty if it can
+};
+
+/// Reads and unpacks a file, plain or gzip, piece by piece.
+class PieceReader {
+ public:
+    /// \throw std::runtime_error naming the file, the cause and the fix.
+    PieceReader(const std::filesystem::path& file, InputFile::WaitForMore waitForMore);
+
+    /// Replaces what is in the piece by what comes next.
+    void read(FilePiece& piece);
+
+    bool isGzip() const { return inflate_ != nullptr; }
+    uint64_t compressedSize() const { return compressedSize_; }  ///< [byte] of the file
+
+ private:
+    size_t readPlain(std::span<unsigned char> to);
+    size_t readCompressed(std::span<unsigned char> to);
+    size_t readInflated(std::span<unsigned char> to);
+    bool beginMember();
+    bool haveInput();
+
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    InputFile::WaitForMore waitForMore_;
+    std::unique_ptr<inflate_state, void (*)(inflate_state*)> inflate_;  ///< null: it is plain
+    std::vector<unsigned char> compressed_;
+    size_t sniffed_ = 0;  ///< [byte] of compressed_ that began a plain file and are not read yet
+    bool inMember_ = false, firstMember_ = true;
+    std::string failure_;
+    uint64_t compressedPosition_ = 0, compressedSize_ = 0;
+};
+
+}  // namespace offmap::rawlog
