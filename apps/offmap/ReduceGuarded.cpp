@@ -16,6 +16,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
+/// [byte] of address space: a stack, an arena of malloc, two large scans on their way.
+constexpr uint64_t perThread = uint64_t{256} << 20;
+
 ordered_json toJson(const ReducedLog& log) {
     return {{"totals", rawlog::toJson(log.totals)},
             {"reduce_ms_bins", log.totals.milliseconds.bins()},
@@ -61,9 +64,13 @@ LogOutcome reduceReadable(const ReduceJob& job, const LogToReduce& log,
     using Kind = rawlog::GuardedOutcome::Kind;
     Handover handover;
     LogOutcome out;
-    out.guarded = rawlog::runGuarded([&](rawlog::GuardedStatus& status) {
-        return reduceAndHandOver(job, log, readable, status, handover);
-    });
+    rawlog::GuardedOptions limits;
+    limits.memory += perThread * job.options.threadCount();
+    out.guarded = rawlog::runGuarded(
+        [&](rawlog::GuardedStatus& status) {
+            return reduceAndHandOver(job, log, readable, status, handover);
+        },
+        limits);
     if (out.guarded.kind == Kind::Finished) {
         const ordered_json result = ordered_json::from_msgpack(handover.content());
         out.exitCode = out.guarded.exitCode;

@@ -18,6 +18,8 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
 
 namespace offmap::app {
 
@@ -109,7 +111,7 @@ struct SurveyedLog {
 SurveyedLog readFirst(const ReduceJob& job, const LogToReduce& log, const ReadableLog& readable,
                       rawlog::GuardedStatus& status) {
     Progress progress(job.options.quiet, log.title);
-    rawlog::RawlogReader reader(log.files.input);
+    rawlog::RawlogReader reader(log.files.input, {}, rawlog::Reading::Ahead);
     const auto size = static_cast<double>(reader.compressedSize());
     SurveyedLog surveyed;
     surveyed.survey = rawlog::surveyLog(reader, job.config, readable.entries, [&] {
@@ -136,40 +138,37 @@ rawlog::ReductionTotals writeOutputs(const ReduceJob& job, const LogToReduce& lo
     Progress progress(options.quiet, log.title);
     const auto outputClass =
         options.outputClass == "points" ? rawlog::OutputClass::Points : rawlog::OutputClass::Same;
-    rawlog::TurnReducer reducer(map.lines, poses, config, outputClass);
-    rawlog::LogReduction reduction(survey, reducer, config,
-                                   {input,
-                                    {options.sensors.begin(), options.sensors.end()},
-                                    options.keepGoing,
-                                    options.writePoses.value_or("")},
-                                   outputs.reduced(), outputs.removed());
-    reduction.onTurn = [&](const rawlog::ReducedTurn& turn) {
-        totals.add(turn.record);
-        outputs.add(turn, reducer.result(), map.lines);
+    rawlog::LogReduction::Outputs logs = outputs.logs();
+    logs.poseLabel = options.writePoses.value_or("");
+    rawlog::LogReduction reduction(
+        survey, config,
+        {input, {options.sensors.begin(), options.sensors.end()}, options.keepGoing},
+        [&] { return rawlog::TurnReducer(map.lines, poses, config, outputClass); }, logs);
+    reduction.beforeEntry = [&](const rawlog::EntryPlace& place) { status.atEntry(place); };
+    reduction.describe = [&](uint64_t number, const rawlog::ReducedTurn& turn,
+                             const core::ReductionResult& result) {
+        return outputs.notesOf(number, turn, result, map.lines);
+    };
+    reduction.onTurn = [&](const rawlog::TurnRecord& turn, const rawlog::TurnNotes& notes) {
+        totals.add(turn);
+        outputs.add(turn, notes);
     };
     reduction.onNotSupported = [&](const std::string& reason) { ++totals.notSupported[reason]; };
-
-    rawlog::RawlogReader reader(input);
-    for (uint64_t entries = 0; entries < survey.entries; ++entries) {
-        status.atEntry(reader.place());
-        const auto entry = reader.next();
-        if (!entry) throw std::runtime_error(input.string() + " became shorter while it was read");
-        reduction.add(*entry);
+    reduction.onEntries = [&](uint64_t entries) {
         progress.tell(static_cast<double>(entries) / static_cast<double>(survey.entries),
                       totals.scans, totals.logSeconds());
-    }
-    reduction.finish();
+    };
+    rawlog::RawlogReader reader(input, {}, rawlog::Reading::Ahead);
+    reduction.run(reader);
     return totals;
 }
 
-}  // namespace
-
-ReducedLog reduceLog(const ReduceJob& job, const LogToReduce& log, const ReadableLog& readable,
-                     rawlog::GuardedStatus& status) {
+ReducedLog reduceInThreads(const ReduceJob& job, const LogToReduce& log,
+                           const ReadableLog& readable, rawlog::GuardedStatus& status) {
     const auto begin = SteadyClock::now();
     const ReduceOptions& options = job.options;
     const std::filesystem::path& input = log.files.input;
-    ReduceOutputs outputs(log.files, options.force, status);
+    ReduceOutputs outputs(log.files, options, status);
     const auto [survey, endsBecause] = readFirst(job, log, readable, status);
     requireSensors(options, input, survey);
     requireFreeLabel(options, input, survey);
@@ -195,6 +194,16 @@ ReducedLog reduceLog(const ReduceJob& job, const LogToReduce& log, const Readabl
     outputs.publish();
     reduced.seconds = std::chrono::duration<double>(SteadyClock::now() - begin).count();
     return reduced;
+}
+
+}  // namespace
+
+ReducedLog reduceLog(const ReduceJob& job, const LogToReduce& log, const ReadableLog& readable,
+                     rawlog::GuardedStatus& status) {
+    const size_t threads = job.options.threadCount();
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    tbb::task_arena arena(static_cast<int>(threads));
+    return arena.execute([&] { return reduceInThreads(job, log, readable, status); });
 }
 
 }  // namespace offmap::app

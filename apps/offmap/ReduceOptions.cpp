@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceOptions.h"
 
+#include <algorithm>
+#include <thread>
+
 namespace offmap::app {
 
 namespace {
@@ -44,12 +47,24 @@ void ReduceOptions::addTo(CLI::App& command) {
             "--method aligned")
         ->expected(0, 1)
         ->type_name("[LABEL]");
+    command.add_option("--compression", compression, "Of the rawlogs written, 0 to 9 (1)")
+        ->check(CLI::Range(0, 9).description(""))
+        ->type_name("LEVEL");
+    command
+        .add_option("--threads", threads,
+                    "Threads that reduce a log (one a processor); outputs do not depend on it")
+        ->check(CLI::Range(1, 256).description(""))
+        ->type_name("N");
     command.add_flag("--strict", strict, "Exit with 3 if a scan could not be reduced");
     command.add_flag("--keep-going", keepGoing,
                      "Write what can be read of a damaged log; copy scans without "
                      "poses");
     command.add_flag("--force", force, "Replace existing outputs");
     command.add_flag("--quiet", quiet, "No progress and no summary; warnings stay");
+}
+
+size_t ReduceOptions::threadCount() const {
+    return threads > 0 ? threads : std::max(std::thread::hardware_concurrency(), 1U);
 }
 
 }  // namespace offmap::app

@@ -20,9 +20,12 @@ struct ReduceOptions {
     std::vector<std::string> sensors;
     std::string outputClass = "same";       ///< or "points"
     std::optional<std::string> writePoses;  ///< label of refined poses; none: not written
+    int compression = 1;                    ///< gzip level, 0 to 9
+    size_t threads = 0;                     ///< 0: as many as there are processors
     bool strict = false, keepGoing = false, force = false, quiet = false;
 
     void addTo(CLI::App& command);
+    size_t threadCount() const;
 };
 
 }  // namespace offmap::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReduceOutputs.h"
 
+#include <offmap/rawlog/Serialised.h>
 #include <offmap/view/InspectionScene.h>
 
 #include <mrpt/obs/CObservation3DScene.h>
@@ -20,9 +21,11 @@ mrpt::obs::CObservation3DScene::Ptr pictureOf(const rawlog::ReducedTurn& turn,
 
 }  // namespace
 
-ReduceOutputs::ReduceOutputs(const ReduceFiles& files, bool force, rawlog::GuardedStatus& status)
+ReduceOutputs::ReduceOutputs(const ReduceFiles& files, const ReduceOptions& options,
+                             rawlog::GuardedStatus& status)
     : status_(status) {
-    const rawlog::OutputOptions compressed{6, force, &status}, plain{std::nullopt, force, &status};
+    const rawlog::OutputOptions compressed{options.compression, options.force, &status};
+    const rawlog::OutputOptions plain{std::nullopt, options.force, &status};
     reduced_.emplace(files.output, compressed);
     if (!files.removed.empty()) removed_.emplace(files.removed, compressed);
     if (!files.inspect.empty()) inspect_.emplace(files.inspect, compressed);
@@ -34,11 +37,22 @@ void ReduceOutputs::begin(const nlohmann::ordered_json& head) {
     if (report_) report_->begin(head);
 }
 
-void ReduceOutputs::add(const rawlog::ReducedTurn& turn, const core::ReductionResult& result,
-                        const core::LineMap& map) {
-    if (report_) report_->add(turn.record);
-    if (segments_) segments_->add(turn, result);
-    if (inspect_) inspect_->write(*pictureOf(turn, result, map));
+rawlog::LogReduction::Outputs ReduceOutputs::logs() {
+    return {*reduced_, removed_ ? &*removed_ : nullptr, inspect_ ? &*inspect_ : nullptr};
+}
+
+rawlog::TurnNotes ReduceOutputs::notesOf(uint64_t number, const rawlog::ReducedTurn& turn,
+                                         const core::ReductionResult& result,
+                                         const core::LineMap& map) const {
+    rawlog::TurnNotes notes;
+    if (segments_) notes.segments = rawlog::SegmentsFile::rowsOf(number, turn, result);
+    if (inspect_) rawlog::serialise(*pictureOf(turn, result, map), notes.picture);
+    return notes;
+}
+
+void ReduceOutputs::add(const rawlog::TurnRecord& turn, const rawlog::TurnNotes& notes) {
+    if (report_) report_->add(turn);
+    if (segments_) segments_->add(notes.segments);
 }
 
 void ReduceOutputs::finish(const rawlog::ReductionTotals& totals,

@@ -59,7 +59,9 @@ struct SmallTurn {
 std::string fileOf(const std::vector<SmallTurn>& turns) {
     const test::TemporaryFolder folder;
     SegmentsFile file(folder / "segments.csv", {});
-    for (const SmallTurn& small : turns) file.add(small.turn, small.result);
+    for (uint64_t scan = 0; scan < turns.size(); ++scan) {
+        file.add(SegmentsFile::rowsOf(scan, turns[scan].turn, turns[scan].result));
+    }
     file.publish();
     return test::readFile(folder / "segments.csv");
 }

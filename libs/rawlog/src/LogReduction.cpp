@@ -1,170 +1,175 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/LogReduction.h>
-#include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/RefinedPose.h>
-#include <offmap/rawlog/ScanClasses.h>
 
-#include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/obs/CSensoryFrame.h>
-
-#include <algorithm>
-#include <chrono>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+#include <stdexcept>
+#include <utility>
 
 namespace offmap::rawlog {
 
 using mrpt::obs::CObservation;
-using mrpt::obs::CObservation2DRangeScan;
-using mrpt::obs::CSensoryFrame;
 
 namespace {
 
-/// What an entry becomes. \param poses of a frame, to be added to it
-template <class Choose, class Replacements>
-mrpt::serialization::CSerializable::Ptr replaced(
-    const mrpt::serialization::CSerializable::Ptr& object, const Replacements& replacements,
-    const std::vector<CObservation::Ptr>& poses, Choose&& choose) {
-    const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object);
-    if (!frame) return choose(replacements.front());
-    auto out = CSensoryFrame::Create();
-    size_t position = 0;
-    for (const CObservation::Ptr& member : *frame) {
-        CObservation::Ptr chosen = member;
-        for (const auto& replacement : replacements) {
-            if (replacement.position == position && choose(replacement))
-                chosen = choose(replacement);
-        }
-        out->push_back(chosen);
-        ++position;
-    }
-    for (const CObservation::Ptr& pose : poses) out->push_back(pose);
-    return out;
-}
+using Bytes = std::vector<std::byte>;
+
+/// What became of a turn.
+struct TurnOutcome {
+    TurnRecord record;
+    TurnNotes notes;
+    std::vector<Replacement> replacements;  // one a member
+    CObservation::Ptr pose;                 // null: none to be written
+};
+
+// Entries small and many, such as poses, share the cost of being handed on.
+constexpr size_t stretchSize = 1 << 16;  // [byte]
 
 }  // namespace
 
-LogReduction::LogReduction(const LogSurvey& survey, TurnReducer& reducer, const Config& config,
-                           Settings settings, RawlogWriter& reduced, RawlogWriter* removed)
+/// What goes from stage to stage: a stretch of the log; then entries that are ready, which may have
+/// been read long before; then, for each output, their bytes and the blocks that these complete.
+struct LogReduction::Work {
+    LogStretch stretch;
+    std::vector<TurnOutcome> outcomes;  // one a turn
+    std::vector<std::shared_ptr<LogEntry>> ready;
+    Bytes reduced, removed, pictures;
+    std::vector<std::pair<OutputFile*, Bytes>> blocks;
+};
+
+LogReduction::LogReduction(const LogSurvey& survey, const Config& config,
+                           LogTurns::Settings settings, std::function<TurnReducer()> makeReducer,
+                           Outputs outputs)
     : survey_(survey),
-      reducer_(reducer),
-      config_(config),
-      settings_(std::move(settings)),
-      reduced_(reduced),
-      removed_(removed) {}
+      input_(settings.input),
+      turns_(survey, config, std::move(settings)),
+      makeReducer_(std::move(makeReducer)),
+      outputs_(std::move(outputs)) {}
 
-void LogReduction::add(const RawlogEntry& entry) {
-    PendingEntry& pending = pending_.emplace_back();
-    pending.index = entry.place.index;
-    pending.bytes.assign(entry.bytes.begin(), entry.bytes.end());
-    forEachObservation(entry.object, [&](const CObservation::Ptr& obs, size_t position) {
-        endOverdueTurns(obs->timestamp);
-        const bool chosen =
-            settings_.sensors.empty() || settings_.sensors.contains(obs->sensorLabel);
-        if (!chosen) return;
-        const SensorConfig config = config_.sensorOf(obs->sensorLabel);
-        if (survey_.reducible(*obs, config)) {
-            pending.object = entry.object;
-            addObservation(pending, obs, position);
-        } else if (const auto reason = unsupportedReason(*obs, config)) {
-            onNotSupported(*reason);
-        }
-    });
-    writeReady();
-}
-
-void LogReduction::addObservation(PendingEntry& entry, const CObservation::Ptr& obs,
-                                  size_t position) {
-    Member member{&entry, position, obs, false};
-    if (!loadIfExternal(member)) return;
-    ++entry.unresolved;
-    const auto* scan = dynamic_cast<const CObservation2DRangeScan*>(obs.get());
-    if (!scan) return reduceTurn({member});
-    auto open = open_.find(obs->sensorLabel);
-    if (open == open_.end()) {
-        const SensorConfig config = config_.sensorOf(obs->sensorLabel);
-        OpenTurn turn{TurnCollector<Member>(config), config.maxColumnPause};
-        open = open_.emplace(obs->sensorLabel, std::move(turn)).first;
-    }
-    reduceTurns(open->second.columns.add(*scan, member));
-}
-
-const ScanClass* LogReduction::scanClassIn(const Member& member) const {
-    return scanClassOf(*member.obs, config_.sensorOf(member.obs->sensorLabel));
-}
-
-/// False if it is to be copied as it is, because its file cannot be loaded.
-bool LogReduction::loadIfExternal(Member& member) const {
-    try {
-        member.loaded = scanClassIn(member)->loadExternal(*member.obs, settings_.input);
-        return true;
-    } catch (const std::exception&) {
-        if (!settings_.keepGoing) throw;
-        onNotSupported("externally stored, and its file cannot be read");
-        return false;
-    }
-}
-
-void LogReduction::endOverdueTurns(mrpt::Clock::time_point now) {
-    for (auto& [label, turn] : open_) {
-        const std::chrono::duration<double> longest(turn.maxPause);
-        if (!turn.columns.empty() && now - turn.columns.latest().obs->timestamp > longest)
-            reduceTurns(turn.columns.finish());
-    }
-}
-
-void LogReduction::reduceTurns(const std::vector<std::vector<Member>>& turns) {
-    for (const std::vector<Member>& members : turns) reduceTurn(members);
-}
-
-void LogReduction::reduceTurn(const std::vector<Member>& members) {
-    const ScanClass& scanClass = *scanClassIn(members.front());
-    Turn turn;
-    for (const Member& member : members) turn.push_back(member.obs);
-    ReducedTurn reduced = reducer_.reduce(turn, scanClass);
-    std::vector<CObservation::Ptr> removed(members.size());
-    if (removed_) removed = reducer_.removedFrom(turn, reduced, scanClass);
-    for (size_t i = 0; i < members.size(); ++i) {
-        PendingEntry& entry = *members[i].entry;
-        if (!reduced.reduced[i] && members[i].loaded) reduced.reduced[i] = members[i].obs;
-        entry.replacements.push_back({members[i].position, reduced.reduced[i], removed[i]});
-        --entry.unresolved;
-    }
-    reduced.record.entry = members.front().entry->index;
-    if (reduced.vehicleInMap && !settings_.poseLabel.empty()) {
-        members.front().entry->poses.push_back(
-            robotPose(*reduced.vehicleInMap, reduced.record.time, settings_.poseLabel));
-    }
-    onTurn(reduced);
-}
-
-void LogReduction::writeReady() {
-    while (!pending_.empty() && pending_.front().unresolved == 0) {
-        write(pending_.front());
-        pending_.pop_front();
-    }
-}
-
-void LogReduction::write(const PendingEntry& entry) {
-    using Poses = std::vector<CObservation::Ptr>;
-    const bool frame = std::dynamic_pointer_cast<CSensoryFrame>(entry.object) != nullptr;
-    const auto writeTo = [&](RawlogWriter& writer, auto member, const Poses& within) {
-        const bool changes =
-            !within.empty() || std::ranges::any_of(entry.replacements, [&](const Replacement& r) {
-                return (r.*member) != nullptr;
-            });
-        if (!changes) return writer.writeBytes(entry.bytes);
-        writer.write(*replaced(entry.object, entry.replacements, within,
-                               [&](const Replacement& r) { return r.*member; }));
+void LogReduction::run(RawlogReader& reader) {
+    using tbb::filter_mode;
+    tbb::enumerable_thread_specific<TurnReducer> reducers(makeReducer_);
+    const auto stage = [this](filter_mode mode, StageTimes::Stage name, auto&& work) {
+        return tbb::make_filter<WorkPtr, WorkPtr>(mode, [this, name, work](const WorkPtr& of) {
+            const StageTimes::Measure measure(times_, name);
+            work(*of);
+            return of;
+        });
     };
-    writeTo(reduced_, &Replacement::reduced, frame ? entry.poses : Poses());
-    if (!frame) {
-        for (const CObservation::Ptr& pose : entry.poses) reduced_.write(*pose);
-    }
-    if (removed_) writeTo(*removed_, &Replacement::removed, {});
+    constexpr auto inOrder = filter_mode::serial_in_order, inAnyOrder = filter_mode::parallel;
+    const auto threads = static_cast<size_t>(tbb::this_task_arena::max_concurrency());
+    const auto readNext = [&](tbb::flow_control& flow) {
+        const StageTimes::Measure measure(times_, StageTimes::Read);
+        WorkPtr work = read(reader);
+        if (!work) flow.stop();
+        return work;
+    };
+    tbb::parallel_pipeline(
+        2 * threads,
+        tbb::make_filter<void, WorkPtr>(inOrder, readNext) &
+            stage(inAnyOrder, StageTimes::Reduce,
+                  [&](Work& work) { reduce(work, reducers.local()); }) &
+            stage(inOrder, StageTimes::Order, [&](Work& work) { order(work); }) &
+            stage(inAnyOrder, StageTimes::Serialise, [&](Work& work) { serialise(work); }) &
+            stage(inOrder, StageTimes::Cut, [&](Work& work) { cut(work); }) &
+            stage(inAnyOrder, StageTimes::Pack, [&](Work& work) { pack(work); }) &
+            stage(inOrder, StageTimes::Write, [&](Work& work) { write(work); }) &
+            tbb::make_filter<WorkPtr, void>(inAnyOrder, [](const WorkPtr&) {}));
 }
 
-void LogReduction::finish() {
-    for (auto& [label, turn] : open_) reduceTurns(turn.columns.finish());
-    writeReady();
+/// Null at the end.
+LogReduction::WorkPtr LogReduction::read(RawlogReader& reader) {
+    if (ended_) return nullptr;
+    auto work = std::make_shared<Work>();
+    LogStretch& stretch = work->stretch;
+    while (stretch.turns.empty() && stretch.bytes < stretchSize && entriesRead_ < survey_.entries) {
+        beforeEntry(reader.place());
+        const auto entry = reader.next();
+        if (!entry) throw std::runtime_error(input_.string() + " became shorter while it was read");
+        turns_.add(*entry, stretch);
+        ++entriesRead_;
+    }
+    ended_ = entriesRead_ == survey_.entries;
+    if (ended_) turns_.finish(stretch);
+    return work;
+}
+
+void LogReduction::reduce(Work& work, TurnReducer& reducer) const {
+    for (const LogTurn& logTurn : work.stretch.turns) {
+        Turn turn;
+        for (const TurnMember& member : logTurn.members) turn.push_back(member.obs);
+        ReducedTurn reduced = reducer.reduce(turn, *logTurn.scanClass);
+        reduced.record.entry = logTurn.members.front().entry->index;
+        std::vector<CObservation::Ptr> removed(turn.size());
+        if (outputs_.removed) removed = reducer.removedFrom(turn, reduced, *logTurn.scanClass);
+        TurnOutcome& outcome = work.outcomes.emplace_back();
+        for (size_t i = 0; i < turn.size(); ++i) {
+            const TurnMember& member = logTurn.members[i];
+            if (!reduced.reduced[i] && member.loaded) reduced.reduced[i] = member.obs;
+            outcome.replacements.push_back({member.position, reduced.reduced[i], removed[i]});
+        }
+        outcome.notes = describe(logTurn.number, reduced, reducer.result());
+        if (reduced.vehicleInMap && !outputs_.poseLabel.empty()) {
+            outcome.pose =
+                robotPose(*reduced.vehicleInMap, reduced.record.time, outputs_.poseLabel);
+        }
+        outcome.record = std::move(reduced.record);
+    }
+}
+
+void LogReduction::order(Work& work) {
+    LogStretch& stretch = work.stretch;
+    pending_.insert(pending_.end(), stretch.entries.begin(), stretch.entries.end());
+    for (size_t t = 0; t < stretch.turns.size(); ++t) {
+        const std::vector<TurnMember>& members = stretch.turns[t].members;
+        TurnOutcome& outcome = work.outcomes[t];
+        for (size_t i = 0; i < members.size(); ++i) {
+            members[i].entry->replacements.push_back(std::move(outcome.replacements[i]));
+            --members[i].entry->unresolved;
+        }
+        if (outcome.pose) members.front().entry->poses.push_back(outcome.pose);
+        const Bytes& picture = outcome.notes.picture;
+        work.pictures.insert(work.pictures.end(), picture.begin(), picture.end());
+        onTurn(outcome.record, outcome.notes);
+    }
+    for (const std::string& reason : stretch.notSupported) onNotSupported(reason);
+    entriesOrdered_ += stretch.entries.size();
+    onEntries(entriesOrdered_);
+    for (; !pending_.empty() && pending_.front()->unresolved == 0; pending_.pop_front()) {
+        work.ready.push_back(std::move(pending_.front()));
+    }
+    stretch = {};
+    work.outcomes.clear();
+}
+
+void LogReduction::serialise(Work& work) const {
+    for (const auto& entry : work.ready) {
+        appendReduced(*entry, work.reduced);
+        if (outputs_.removed) appendRemoved(*entry, work.removed);
+    }
+    work.ready.clear();
+}
+
+void LogReduction::cut(Work& work) const {
+    const auto blocksOf = [&](RawlogWriter* writer, Bytes& bytes) {
+        if (!writer) return;
+        OutputFile& file = writer->file();
+        for (Bytes& block : file.cut(bytes)) work.blocks.emplace_back(&file, std::move(block));
+        bytes = {};
+    };
+    blocksOf(&outputs_.reduced, work.reduced);
+    blocksOf(outputs_.removed, work.removed);
+    blocksOf(outputs_.pictures, work.pictures);
+}
+
+void LogReduction::pack(Work& work) const {
+    for (auto& [file, block] : work.blocks) block = file->packed(block);
+}
+
+void LogReduction::write(Work& work) const {
+    for (const auto& [file, packed] : work.blocks) file->append(packed);
 }
 
 }  // namespace offmap::rawlog

@@ -62,8 +62,9 @@ SegmentsFile::SegmentsFile(const std::filesystem::path& target, const OutputOpti
     file_.write(header);
 }
 
-void SegmentsFile::add(const ReducedTurn& turn, const core::ReductionResult& result) {
-    rows_.clear();
+std::string SegmentsFile::rowsOf(uint64_t scan, const ReducedTurn& turn,
+                                 const core::ReductionResult& result) {
+    std::string rows;
     const std::string label = quoted(turn.record.label);
     const auto& suspect = turn.record.health.suspect;
     const std::string_view suspicion = suspect ? core::toString(*suspect) : "";
@@ -71,15 +72,14 @@ void SegmentsFile::add(const ReducedTurn& turn, const core::ReductionResult& res
         const core::VerticalSegment& segment = result.segments[s];
         const core::ScanColumn& column = turn.organized.scan.columns[segment.column];
         const double height = heightOf(column);
-        fmt::format_to(std::back_inserter(rows_), "{},{},{},{:.6f},{},{},{},{},{},{},{},{},{}\n",
-                       scans_, turn.record.entry, label, mrpt::Clock::toDouble(column.time),
+        fmt::format_to(std::back_inserter(rows), "{},{},{},{:.6f},{},{},{},{},{},{},{},{},{}\n",
+                       scan, turn.record.entry, label, mrpt::Clock::toDouble(column.time),
                        segment.column, fixed(mrpt::RAD2DEG(double{column.azimuth})),
                        turn.returnsPerSegment[s], fixed(height + segment.bottom.y),
                        fixed(height + segment.top.y), fixed(mrpt::RAD2DEG(segment.tilt)),
                        matchFields(result.matches[s]), turn.removedPerSegment[s], suspicion);
     }
-    file_.write(rows_);
-    ++scans_;
+    return rows;
 }
 
 }  // namespace offmap::rawlog

@@ -1,99 +1,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <offmap/rawlog/LogSurvey.h>
+#include <offmap/rawlog/LogTurns.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/RawlogWriter.h>
-#include <offmap/rawlog/TurnCollector.h>
+#include <offmap/rawlog/StageTimes.h>
 #include <offmap/rawlog/TurnReducer.h>
 
-#include <mrpt/core/Clock.h>
-#include <mrpt/obs/CObservation.h>
-#include <mrpt/serialization/CSerializable.h>
-
 #include <cstddef>
+#include <cstdint>
 #include <deque>
-#include <filesystem>
 #include <functional>
-#include <map>
-#include <set>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace offmap::rawlog {
 
-/// The second pass over a log: takes one entry after the other, reduces what it completes, and
-/// hands every entry on in the order it came. An entry waits only as long as a turn that it is part
-/// of, or that stands before it, is not complete; so memory depends on a turn's length, not on the
-/// log's.
+/// What is told of a turn beside its figures.
+struct TurnNotes {
+    std::string segments;            ///< rows of a SegmentsFile
+    std::vector<std::byte> picture;  ///< entry of a rawlog
+};
+
+/// The second pass over a log: reads it, reduces its turns and hands every entry on in the order it
+/// came, in as many threads as TBB's arena has that it is called in. An entry waits only as long as
+/// a turn that it is part of, or that stands before it, is not complete; and so much only is on its
+/// way at once as keeps the threads busy: memory depends on a turn's length, not on the log's.
 class LogReduction {
  public:
-    struct Settings {
-        std::filesystem::path input;    ///< externally stored clouds are looked for beside it
-        std::set<std::string> sensors;  ///< labels to reduce; empty: all
-        bool keepGoing = false;         ///< copy what cannot be loaded, instead of throwing
-        std::string poseLabel;          ///< refined poses are added under it; empty: not added
+    struct Outputs {
+        RawlogWriter& reduced;
+        RawlogWriter* removed = nullptr;   ///< may be null
+        RawlogWriter* pictures = nullptr;  ///< of the notes; may be null
+        std::string poseLabel = {};        ///< refined poses are added under it; empty: not added
     };
+    struct Work;
 
-    /// All references must outlive it. \param removed may be null
-    LogReduction(const LogSurvey& survey, TurnReducer& reducer, const Config& config,
-                 Settings settings, RawlogWriter& reduced, RawlogWriter* removed);
+    /// All references must outlive it. \param makeReducer called once a thread
+    LogReduction(const LogSurvey& survey, const Config& config, LogTurns::Settings settings,
+                 std::function<TurnReducer()> makeReducer, Outputs outputs);
 
-    /// Called for each turn, in the order in which turns are completed; the reducer's result() is
-    /// that of the turn.
-    std::function<void(const ReducedTurn&)> onTurn = [](const ReducedTurn&) {};
+    /// Called before each entry is read.
+    std::function<void(const EntryPlace&)> beforeEntry = [](const EntryPlace&) {};
+    /// Called for each turn, in several threads at once and in any order.
+    std::function<TurnNotes(uint64_t number, const ReducedTurn&, const core::ReductionResult&)>
+        describe =
+            [](uint64_t, const ReducedTurn&, const core::ReductionResult&) { return TurnNotes{}; };
+    /// Called for each turn, in the order in which turns are completed.
+    std::function<void(const TurnRecord&, const TurnNotes&)> onTurn = [](const TurnRecord&,
+                                                                         const TurnNotes&) {};
     /// Called for each 3D observation that is copied because offmap cannot reduce it, with the
     /// reason.
     std::function<void(const std::string&)> onNotSupported = [](const std::string&) {};
+    /// Called with the number of entries of which all is known.
+    std::function<void(uint64_t)> onEntries = [](uint64_t) {};
 
-    void add(const RawlogEntry& entry);
-    /// Ends all open turns and writes what is left.
-    void finish();
+    /// Reads as many entries as the survey has seen.
+    /// \throw RawlogError, std::exception; then the outputs are of no use
+    void run(RawlogReader& reader);
+
+    const StageTimes& times() const { return times_; }
 
  private:
-    /// What an observation of an entry becomes.
-    struct Replacement {
-        size_t position;                       // in the sensory frame
-        mrpt::obs::CObservation::Ptr reduced;  // null: as it was
-        mrpt::obs::CObservation::Ptr removed;  // null: as it was
-    };
-    struct PendingEntry {
-        uint64_t index;
-        std::vector<std::byte> bytes;
-        mrpt::serialization::CSerializable::Ptr object;
-        std::vector<Replacement> replacements;
-        // Refined, of turns that begin here: to be written behind it, or as a frame's last members.
-        std::vector<mrpt::obs::CObservation::Ptr> poses;
-        size_t unresolved = 0;  // observations whose turn is not complete
-    };
-    struct Member {
-        PendingEntry* entry;
-        size_t position;
-        mrpt::obs::CObservation::Ptr obs;
-        bool loaded;  // from a file of its own: to be written even if nothing is removed
-    };
-    const ScanClass* scanClassIn(const Member& member) const;
-    bool loadIfExternal(Member& member) const;
-    void addObservation(PendingEntry& entry, const mrpt::obs::CObservation::Ptr& obs,
-                        size_t position);
-    void endOverdueTurns(mrpt::Clock::time_point now);
-    void reduceTurns(const std::vector<std::vector<Member>>& turns);
-    void reduceTurn(const std::vector<Member>& members);
-    void writeReady();
-    void write(const PendingEntry& entry);
+    using WorkPtr = std::shared_ptr<Work>;
+    WorkPtr read(RawlogReader& reader);
+    void reduce(Work& work, TurnReducer& reducer) const;
+    void order(Work& work);
+    void serialise(Work& work) const;
+    void cut(Work& work) const;
+    void pack(Work& work) const;
+    void write(Work& work) const;
 
     const LogSurvey& survey_;
-    TurnReducer& reducer_;
-    const Config& config_;
-    Settings settings_;
-    RawlogWriter& reduced_;
-    RawlogWriter* removed_;
-    std::deque<PendingEntry> pending_;
-    struct OpenTurn {
-        TurnCollector<Member> columns;
-        double maxPause;  // [s]
-    };
-    std::map<std::string, OpenTurn> open_;  // by label
+    std::filesystem::path input_;
+    LogTurns turns_;
+    std::function<TurnReducer()> makeReducer_;
+    Outputs outputs_;
+    StageTimes times_;
+    uint64_t entriesRead_ = 0, entriesOrdered_ = 0;
+    bool ended_ = false;                             // all entries are read, all turns are ended
+    std::deque<std::shared_ptr<LogEntry>> pending_;  // in order, the first not resolved
 };
 
 }  // namespace offmap::rawlog

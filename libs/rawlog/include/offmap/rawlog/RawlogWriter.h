@@ -20,6 +20,9 @@ class RawlogWriter {
     void writeBytes(std::span<const std::byte> entry) { file_.write(entry); }
     void write(const mrpt::serialization::CSerializable& object);
 
+    /// For those who write in several threads: takes entries in three steps, see OutputFile.
+    OutputFile& file() { return file_; }
+
     /// See OutputFile. \return the size of the file [byte]
     uint64_t finish() { return file_.finish(); }
     void publish() { file_.publish(); }

@@ -17,15 +17,16 @@ class SegmentsFile {
  public:
     SegmentsFile(const std::filesystem::path& target, const OutputOptions& options);
 
+    /// May be called in several threads at once. \param scan number of the turn in the log, from 0
     /// \param result of the same turn
-    void add(const ReducedTurn& turn, const core::ReductionResult& result);
+    static std::string rowsOf(uint64_t scan, const ReducedTurn& turn,
+                              const core::ReductionResult& result);
+    void add(const std::string& rows) { file_.write(rows); }
     void finish() { file_.finish(); }
     void publish() { file_.publish(); }
 
  private:
     OutputFile file_;
-    uint64_t scans_ = 0;
-    std::string rows_;  ///< of one turn; reused
 };
 
 }  // namespace offmap::rawlog

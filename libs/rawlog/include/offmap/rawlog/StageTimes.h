@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <string_view>
+
+namespace offmap::rawlog {
+
+/// What each stage of a reduction costs: the time that processors were at work for it, in whatever
+/// thread. Not the time that passed.
+class StageTimes {
+ public:
+    enum Stage : uint8_t { Read, Reduce, Order, Serialise, Cut, Pack, Write, Count };
+    static constexpr std::array<std::string_view, Count> names{
+        "read", "reduce", "order", "serialise", "cut", "pack", "write"};
+
+    /// Adds what its thread works from its beginning to its end.
+    class Measure {
+     public:
+        Measure(StageTimes& times, Stage stage);
+        ~Measure();
+        Measure(const Measure&) = delete;
+        Measure& operator=(const Measure&) = delete;
+
+     private:
+        std::atomic<int64_t>& total_;  ///< [ns]
+        int64_t begin_;                ///< [ns]
+    };
+
+    double seconds(Stage stage) const { return 1e-9 * static_cast<double>(nanoseconds_[stage]); }
+
+ private:
+    std::array<std::atomic<int64_t>, Count> nanoseconds_{};
+};
+
+}  // namespace offmap::rawlog
