@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <malloc.h>
+
 namespace offmap::app {
 
 using nlohmann::ordered_json;
@@ -36,9 +38,18 @@ ReducedLog reducedLogFrom(const ordered_json& json) {
     return log;
 }
 
+/// Large scans come and go: the kernel would clear their pages anew for each. Until the child ends,
+/// what one has left is there for the next.
+void keepFreedMemory() {
+    constexpr int scansAtMost = 64 << 20;  // [byte] beyond which memory is given back at once
+    mallopt(M_MMAP_THRESHOLD, scansAtMost / 2);
+    mallopt(M_TRIM_THRESHOLD, scansAtMost);
+}
+
 /// In the child. MessagePack takes strings of any bytes: file names and labels may hold them.
 int reduceAndHandOver(const ReduceJob& job, const LogToReduce& log, const ReadableLog& readable,
                       rawlog::GuardedStatus& status, Handover& handover) {
+    keepFreedMemory();
     ordered_json result;
     int exitCode = exitDone;
     try {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "VelodyneDirection.h"
 #include "VelodyneFields.h"
 
 #include <offmap/rawlog/VelodyneModel.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 
 namespace offmap::rawlog {
@@ -17,7 +17,6 @@ namespace {
 
 using Scan = mrpt::obs::CObservationVelodyneScan;
 using Packet = Scan::TVelodyneRawPacket;
-using mrpt::math::TPoint3Df;
 
 constexpr size_t blocksPerPacket = Scan::BLOCKS_PER_PACKET;
 
@@ -49,20 +48,6 @@ mrpt::Clock::time_point timeOfFirstPacket(const Scan& obs, TimeReference referen
     if (reference == TimeReference::First || obs.scan_packets.empty()) return obs.timestamp;
     const auto lasted = sinceFirstPacket(obs, obs.scan_packets.back());
     return obs.timestamp - (reference == TimeReference::Last ? lasted : lasted / 2);
-}
-
-/// \param clockwise [rad] azimuth as the sensor counts it
-TPoint3Df pointOf(uint16_t distance, double clockwise,
-                  const mrpt::obs::VelodyneCalibration::PerLaserCalib& laser) {
-    const double range =
-        distance * static_cast<double>(Scan::DISTANCE_RESOLUTION) + laser.distanceCorrection;
-    const double ground =
-        range * laser.cosVertCorrection + laser.verticalOffsetCorrection * laser.sinVertCorrection;
-    const double offset = laser.horizontalOffsetCorrection;
-    const double c = std::cos(clockwise), s = std::sin(clockwise);
-    return {static_cast<float>(ground * c + offset * s),
-            static_cast<float>(offset * c - ground * s),
-            static_cast<float>(range * laser.sinVertCorrection + laser.verticalOffsetCorrection)};
 }
 
 class Decoder {
@@ -118,9 +103,11 @@ class Decoder {
         const bool dual = model_.tellsReturnMode && packet.laser_return_mode == Scan::RETMODE_DUAL;
         const size_t stride = dual || model_.twoBanks ? 2 : 1;
         const double rate = medianStep(packet, stride) / model_.blockPeriod;
+        findTurns(rate);
         for (size_t b = 0; b < blocksPerPacket; ++b) {
             const size_t first = b, turned = b / stride;
             if (isMangled(packet.blocks[first])) continue;
+            ofBlock_ = Direction::of(toRadians(rotationOf(packet.blocks[first])));
             std::optional<size_t> other;
             if (stride == 2 && b % 2 == 0 && isPair(packet, b)) other = ++b;
             for (size_t f = 0; f < model_.firingsPerBlock; ++f) {
@@ -174,11 +161,31 @@ class Decoder {
         }
     }
 
+    /// [us] from the first laser of a block to the l-th one of its firing.
+    double late(size_t firing, double l) const {
+        return static_cast<double>(firing) * model_.firingPeriod + l * model_.laserPeriod;
+    }
+
     /// [1/100 deg] that the head has turned when it fires the l-th laser of a block.
     double clockwise(const Place& place, double l) const {
-        const double late =
-            static_cast<double>(place.firing) * model_.firingPeriod + l * model_.laserPeriod;
-        return rotationOf(obs_.scan_packets[place.packet].blocks[place.block]) + place.rate * late;
+        return rotationOf(obs_.scan_packets[place.packet].blocks[place.block]) +
+               place.rate * late(place.firing, l);
+    }
+
+    /// What is the same in all blocks of a packet, most often of a scan: how far a laser looks from
+    /// where its block begins. \param rate [1/100 deg / us]
+    void findTurns(double rate) {
+        if (rate == rateOfTurns_) return;
+        rateOfTurns_ = rate;
+        turns_.clear();
+        for (size_t firing = 0; firing < model_.firingsPerBlock; ++firing) {
+            for (size_t laser = 0; laser < lasers_.size(); ++laser) {
+                const auto l = static_cast<double>(laser % Scan::SCANS_PER_BLOCK);
+                double azimuth = toRadians(rate * late(firing, l));
+                if (!out_.azimuthCorrections.empty()) azimuth -= out_.azimuthCorrections[laser];
+                turns_.push_back(Direction::of(azimuth));
+            }
+        }
     }
 
     size_t inBlock(const Place& place, size_t l) const {
@@ -193,11 +200,11 @@ class Decoder {
     void addReturn(const Place& place, size_t block, size_t l) {
         const bool lower = !isUpper(obs_.scan_packets[place.packet].blocks[block]);
         const size_t laser = l + (lower ? Scan::SCANS_PER_BLOCK : 0);
-        double azimuth = toRadians(clockwise(place, static_cast<double>(l)));
-        if (!out_.azimuthCorrections.empty()) azimuth -= out_.azimuthCorrections[laser];
+        const Direction& turn = turns_[place.firing * lasers_.size() + laser];
         const size_t blockOfScan = place.packet * blocksPerPacket + block;
         const size_t slot = blockOfScan * Scan::SCANS_PER_BLOCK + inBlock(place, l);
-        out_.points.push_back(pointOf(distance(place, block, l), azimuth, lasers_[laser]));
+        out_.points.push_back(
+            pointOf(distance(place, block, l), ofBlock_.turned(turn), lasers_[laser]));
         out_.slots.push_back(static_cast<uint32_t>(slot));
         out_.lasers.push_back(static_cast<uint8_t>(laser));
     }
@@ -210,6 +217,9 @@ class Decoder {
     size_t lasersPerBlock_;
     mrpt::Clock::time_point start_;
     VelodyneReturns out_;
+    Direction ofBlock_;             ///< where the head looks when the block's first laser fires
+    std::vector<Direction> turns_;  ///< from there, per firing of a block and laser
+    std::optional<double> rateOfTurns_;  ///< [1/100 deg / us] that they hold for
 };
 
 }  // namespace

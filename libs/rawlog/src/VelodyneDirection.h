@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt/obs/CObservationVelodyneScan.h>
+#include <mrpt/obs/VelodyneCalibration.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace offmap::rawlog {
+
+/// A direction in the sensor's horizontal plane.
+struct Direction {
+    double cos = 1, sin = 0;  ///< of its clockwise azimuth, as the sensor counts it
+
+    static Direction of(double clockwise) { return {std::cos(clockwise), std::sin(clockwise)}; }
+    Direction turned(const Direction& by) const {
+        return {cos * by.cos - sin * by.sin, sin * by.cos + cos * by.sin};
+    }
+};
+
+inline mrpt::math::TPoint3Df pointOf(uint16_t distance, const Direction& direction,
+                                     const mrpt::obs::VelodyneCalibration::PerLaserCalib& laser) {
+    const double range =
+        distance * static_cast<double>(mrpt::obs::CObservationVelodyneScan::DISTANCE_RESOLUTION) +
+        laser.distanceCorrection;
+    const double ground =
+        range * laser.cosVertCorrection + laser.verticalOffsetCorrection * laser.sinVertCorrection;
+    const double offset = laser.horizontalOffsetCorrection;
+    const auto [c, s] = direction;
+    return {static_cast<float>(ground * c + offset * s),
+            static_cast<float>(offset * c - ground * s),
+            static_cast<float>(range * laser.sinVertCorrection + laser.verticalOffsetCorrection)};
+}
+
+}  // namespace offmap::rawlog
