@@ -18,8 +18,11 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
+#include <cmath>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
+#include <tuple>
+#include <utility>
 
 namespace offmap::app {
 
@@ -127,11 +130,21 @@ SurveyedLog readFirst(const ReduceJob& job, const LogToReduce& log, const Readab
     throw std::runtime_error(surveyed.endsBecause + "; --keep-going writes what stands before it");
 }
 
-/// Reads the log a second time and writes the outputs.
-rawlog::ReductionTotals writeOutputs(const ReduceJob& job, const LogToReduce& log,
-                                     const rawlog::LogSurvey& survey,
-                                     const rawlog::PoseSource& poses, ReduceOutputs& outputs,
-                                     rawlog::GuardedStatus& status) {
+/// [s] that processors worked for each stage.
+ordered_json toJson(const rawlog::StageTimes& times) {
+    using rawlog::StageTimes;
+    ordered_json json;
+    for (size_t stage = 0; stage < StageTimes::Count; ++stage) {
+        const double seconds = times.seconds(static_cast<StageTimes::Stage>(stage));
+        json[std::string(StageTimes::names[stage])] = std::round(1000 * seconds) / 1000;
+    }
+    return json;
+}
+
+/// Reads the log a second time and writes the outputs. \return totals, and what each stage took
+std::pair<rawlog::ReductionTotals, ordered_json> writeOutputs(
+    const ReduceJob& job, const LogToReduce& log, const rawlog::LogSurvey& survey,
+    const rawlog::PoseSource& poses, ReduceOutputs& outputs, rawlog::GuardedStatus& status) {
     const auto& [options, config, map] = job;
     const std::filesystem::path& input = log.files.input;
     rawlog::ReductionTotals totals;
@@ -160,7 +173,7 @@ rawlog::ReductionTotals writeOutputs(const ReduceJob& job, const LogToReduce& lo
     };
     rawlog::RawlogReader reader(input, {}, rawlog::Reading::Ahead);
     reduction.run(reader);
-    return totals;
+    return {totals, toJson(reduction.times())};
 }
 
 ReducedLog reduceInThreads(const ReduceJob& job, const LogToReduce& log,
@@ -182,7 +195,9 @@ ReducedLog reduceInThreads(const ReduceJob& job, const LogToReduce& log,
 
     outputs.begin(reportHead(job, input, poses));
     ReducedLog reduced;
-    reduced.totals = writeOutputs(job, log, survey, *poses.source, outputs, status);
+    ordered_json stageSeconds;
+    std::tie(reduced.totals, stageSeconds) =
+        writeOutputs(job, log, survey, *poses.source, outputs, status);
     reduced.warnings = reduced.totals.warnings();
     if (!poses.warning.empty()) reduced.warnings.push_back(poses.warning);
     reduced.warnings.insert(reduced.warnings.end(), sensorWarnings.begin(), sensorWarnings.end());
@@ -190,7 +205,9 @@ ReducedLog reduceInThreads(const ReduceJob& job, const LogToReduce& log,
         reduced.warnings.push_back(fmt::format("only the first {} entries were read: {}",
                                                rawlog::grouped(survey.entries), endsBecause));
     }
-    outputs.finish(reduced.totals, {{"entries", survey.entries}, {"warnings", reduced.warnings}});
+    outputs.finish(reduced.totals, {{"entries", survey.entries},
+                                    {"stage_seconds", stageSeconds},
+                                    {"warnings", reduced.warnings}});
     outputs.publish();
     reduced.seconds = std::chrono::duration<double>(SteadyClock::now() - begin).count();
     return reduced;

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 json withoutTimings(json report) {
     for (json& scan : report["scans"]) scan.erase("reduce_ms");
     for (const char* key : {"reduce_ms_median", "reduce_ms_p95"}) report["totals"].erase(key);
+    report.erase("stage_seconds");
     return report;
 }
 

@@ -53,6 +53,7 @@ TEST_F(Report, totalsAreTheSumsOfTheScans) {
     }
     EXPECT_TRUE(totals["scans_not_reduced"].is_object());
     EXPECT_GT(totals["reduce_ms_median"].get<double>(), 0);
+    EXPECT_GT(report["stage_seconds"]["reduce"].get<double>(), 0);
 }
 
 TEST_F(Report, countsAreThoseOfTheLogs) {

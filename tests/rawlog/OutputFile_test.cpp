@@ -80,6 +80,24 @@ TEST(OutputFile, gzipHoldsTheContentAtEveryLevel) {
     }
 }
 
+TEST(OutputFile, inThreeStepsIsTheSame) {
+    const TemporaryFolder folder;
+    const std::string content = noise(3'300'000);
+    OutputFile whole(folder / "whole", {1}), steps(folder / "steps", {1});
+    whole.write(content);
+    for (size_t at = 0; at < content.size(); at += 700'000) {
+        const auto part = std::string_view(content).substr(at, 700'000);
+        for (const auto& block : steps.cut(std::as_bytes(std::span(part)))) {
+            steps.append(steps.packed(block));
+        }
+    }
+    EXPECT_EQ(whole.finish(), steps.finish());
+    whole.publish();
+    steps.publish();
+    EXPECT_TRUE(readFile(folder / "whole") == readFile(folder / "steps"));
+    EXPECT_THROW(steps.cut({}), std::logic_error);
+}
+
 TEST(OutputFile, gzipOfNothingIsAnEmptyStream) {
     const TemporaryFolder folder;
     OutputFile(folder / "out.gz", {1}).publish();

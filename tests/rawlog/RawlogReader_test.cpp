@@ -28,12 +28,13 @@ struct ReadLog {
     std::vector<uint64_t> offsets;  ///< of each entry
     std::string error;
     EntryPlace errorPlace;
+    friend bool operator==(const ReadLog&, const ReadLog&) = default;
 };
 
-ReadLog readAll(const std::filesystem::path& file) {
+ReadLog readAll(const std::filesystem::path& file, Reading reading) {
     ReadLog log;
     try {
-        RawlogReader reader(file);
+        RawlogReader reader(file, {}, reading);
         while (const auto entry = reader.next()) {
             EXPECT_EQ(entry->place, (EntryPlace{log.offsets.size(), log.bytes.size()}));
             log.offsets.push_back(entry->place.offset);
@@ -45,6 +46,13 @@ ReadLog readAll(const std::filesystem::path& file) {
         log.error = e.what();
         log.errorPlace = e.place;
     }
+    return log;
+}
+
+/// It makes no difference who reads the file.
+ReadLog readAll(const std::filesystem::path& file) {
+    ReadLog log = readAll(file, Reading::WhenAsked);
+    EXPECT_TRUE(log == readAll(file, Reading::Ahead));
     return log;
 }
 
