@@ -145,7 +145,9 @@ ordered_json toJson(const rawlog::StageTimes& times) {
 std::pair<rawlog::ReductionTotals, ordered_json> writeOutputs(
     const ReduceJob& job, const LogToReduce& log, const rawlog::LogSurvey& survey,
     const rawlog::PoseSource& poses, ReduceOutputs& outputs, rawlog::GuardedStatus& status) {
-    const auto& [options, config, map] = job;
+    const ReduceOptions& options = job.options;
+    const rawlog::Config& config = job.config;
+    const LoadedMap& map = job.map;
     const std::filesystem::path& input = log.files.input;
     rawlog::ReductionTotals totals;
     Progress progress(options.quiet, log.title);
