@@ -21,8 +21,6 @@
 #include <cmath>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
-#include <tuple>
-#include <utility>
 
 namespace offmap::app {
 
@@ -112,9 +110,10 @@ struct SurveyedLog {
 
 /// Reads the log a first time. \throw std::runtime_error if it is damaged and not to be read on
 SurveyedLog readFirst(const ReduceJob& job, const LogToReduce& log, const ReadableLog& readable,
-                      rawlog::GuardedStatus& status) {
+                      rawlog::GuardedStatus& status, rawlog::StageTimes& times) {
+    const rawlog::StageTimes::Measure measure(times, rawlog::StageTimes::Survey);
     Progress progress(job.options.quiet, log.title);
-    rawlog::RawlogReader reader(log.files.input, {}, rawlog::Reading::Ahead);
+    rawlog::RawlogReader reader(log.files.input, {}, {.ahead = true, .times = &times});
     const auto size = static_cast<double>(reader.compressedSize());
     SurveyedLog surveyed;
     surveyed.survey = rawlog::surveyLog(reader, job.config, readable.entries, [&] {
@@ -141,10 +140,11 @@ ordered_json toJson(const rawlog::StageTimes& times) {
     return json;
 }
 
-/// Reads the log a second time and writes the outputs. \return totals, and what each stage took
-std::pair<rawlog::ReductionTotals, ordered_json> writeOutputs(
-    const ReduceJob& job, const LogToReduce& log, const rawlog::LogSurvey& survey,
-    const rawlog::PoseSource& poses, ReduceOutputs& outputs, rawlog::GuardedStatus& status) {
+/// Reads the log a second time and writes the outputs.
+rawlog::ReductionTotals writeOutputs(const ReduceJob& job, const LogToReduce& log,
+                                     const rawlog::LogSurvey& survey,
+                                     const rawlog::PoseSource& poses, ReduceOutputs& outputs,
+                                     rawlog::GuardedStatus& status, rawlog::StageTimes& times) {
     const ReduceOptions& options = job.options;
     const rawlog::Config& config = job.config;
     const LoadedMap& map = job.map;
@@ -158,7 +158,7 @@ std::pair<rawlog::ReductionTotals, ordered_json> writeOutputs(
     rawlog::LogReduction reduction(
         survey, config,
         {input, {options.sensors.begin(), options.sensors.end()}, options.keepGoing},
-        [&] { return rawlog::TurnReducer(map.lines, poses, config, outputClass); }, logs);
+        [&] { return rawlog::TurnReducer(map.lines, poses, config, outputClass); }, logs, times);
     reduction.beforeEntry = [&](const rawlog::EntryPlace& place) { status.atEntry(place); };
     reduction.describe = [&](uint64_t number, const rawlog::ReducedTurn& turn,
                              const core::ReductionResult& result) {
@@ -173,9 +173,9 @@ std::pair<rawlog::ReductionTotals, ordered_json> writeOutputs(
         progress.tell(static_cast<double>(entries) / static_cast<double>(survey.entries),
                       totals.scans, totals.logSeconds());
     };
-    rawlog::RawlogReader reader(input, {}, rawlog::Reading::Ahead);
+    rawlog::RawlogReader reader(input, {}, {.ahead = true, .times = &times});
     reduction.run(reader);
-    return {totals, toJson(reduction.times())};
+    return totals;
 }
 
 ReducedLog reduceInThreads(const ReduceJob& job, const LogToReduce& log,
@@ -184,7 +184,8 @@ ReducedLog reduceInThreads(const ReduceJob& job, const LogToReduce& log,
     const ReduceOptions& options = job.options;
     const std::filesystem::path& input = log.files.input;
     ReduceOutputs outputs(log.files, options, status);
-    const auto [survey, endsBecause] = readFirst(job, log, readable, status);
+    rawlog::StageTimes times;
+    const auto [survey, endsBecause] = readFirst(job, log, readable, status, times);
     requireSensors(options, input, survey);
     requireFreeLabel(options, input, survey);
     if (!options.keepGoing) requireScans(input, survey);
@@ -197,9 +198,7 @@ ReducedLog reduceInThreads(const ReduceJob& job, const LogToReduce& log,
 
     outputs.begin(reportHead(job, input, poses));
     ReducedLog reduced;
-    ordered_json stageSeconds;
-    std::tie(reduced.totals, stageSeconds) =
-        writeOutputs(job, log, survey, *poses.source, outputs, status);
+    reduced.totals = writeOutputs(job, log, survey, *poses.source, outputs, status, times);
     reduced.warnings = reduced.totals.warnings();
     if (!poses.warning.empty()) reduced.warnings.push_back(poses.warning);
     reduced.warnings.insert(reduced.warnings.end(), sensorWarnings.begin(), sensorWarnings.end());
@@ -208,7 +207,7 @@ ReducedLog reduceInThreads(const ReduceJob& job, const LogToReduce& log,
                                                rawlog::grouped(survey.entries), endsBecause));
     }
     outputs.finish(reduced.totals, {{"entries", survey.entries},
-                                    {"stage_seconds", stageSeconds},
+                                    {"stage_seconds", toJson(times)},
                                     {"warnings", reduced.warnings}});
     outputs.publish();
     reduced.seconds = std::chrono::duration<double>(SteadyClock::now() - begin).count();

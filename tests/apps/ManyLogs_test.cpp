@@ -48,6 +48,21 @@ TEST_F(ManyLogs, equalThoseReducedByThemselves) {
     }
 }
 
+TEST_F(ManyLogs, doNotDependOnTheNumberOfThreads) {
+    const std::vector<Path> logs{writeGoodLog(1), writeGoodLog(9), writeGoodLog(4)};
+    const auto filesWith = [&](const char* threads) {
+        const RunResult run = reduceMany(
+            logs, {"--threads", threads, "--removed", folder_ / "removed", "--segments",
+                   folder_ / "csv", "--inspect", folder_ / "pictures", "--write-poses", "--force"});
+        EXPECT_EQ(run.exitCode, 0) << testing::PrintToString(run);
+        return content();
+    };
+    const auto alone = filesWith("1");
+    EXPECT_EQ(alone.size(), 1 + 5 * logs.size());  // the map; per log, itself and four outputs
+    EXPECT_TRUE(alone == filesWith("2"));
+    EXPECT_TRUE(alone == filesWith("5"));
+}
+
 TEST_F(ManyLogs, summaryIsTheSumOfTheReports) {
     const std::vector<Path> logs{writeGoodLog(2), writeGoodLog(5)};
     const Path reports = folder_ / "reports";

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Gzip.h"
 #include "../support/Scans.h"
+#include "RawlogEdit.h"
 #include "ReduceFixture.h"
+
+#include <mrpt/obs/CRawlog.h>
 
 namespace {
 
@@ -47,6 +50,22 @@ TEST_F(Threads, giveTheSameBytesOfSeveralSensors) {
 TEST_F(Threads, giveTheSameBytesOfFrames) {
     writeLog(in_, inFrames(secondsOf(robot_, 12)));
     expectSameBytesInAnyNumber();
+}
+
+TEST_F(Threads, giveBlocksThatMrptReadsAsOneLog) {
+    writeLog(in_, secondsOf(robot_, 6));
+    const Path removed = folder_ / "removed.rawlog";
+    mrpt::obs::CRawlog before;  // as RawLogViewer reads it
+    ASSERT_TRUE(before.loadFromRawLogFile(in_.string()));
+    ASSERT_EQ(reduce({"--threads", "3", "--removed", removed}).exitCode, 0);
+    for (const Path& file : {out_, removed}) {
+        const std::string content = gunzippedFile(file);
+        ASSERT_GT(content.size(), size_t{1} << 20) << "too short to be cut into blocks";
+        expectRawlogEditReads(file, in_);
+        mrpt::obs::CRawlog after;
+        ASSERT_TRUE(after.loadFromRawLogFile(file.string()));
+        EXPECT_EQ(after.size(), before.size());
+    }
 }
 
 TEST_F(Threads, givePlacesOfDamageAllTheSame) {

@@ -51,8 +51,8 @@ ReadLog readAll(const std::filesystem::path& file, Reading reading) {
 
 /// It makes no difference who reads the file.
 ReadLog readAll(const std::filesystem::path& file) {
-    ReadLog log = readAll(file, Reading::WhenAsked);
-    EXPECT_TRUE(log == readAll(file, Reading::Ahead));
+    ReadLog log = readAll(file, Reading{});
+    EXPECT_TRUE(log == readAll(file, Reading{.ahead = true}));
     return log;
 }
 

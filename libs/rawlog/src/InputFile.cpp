@@ -11,9 +11,9 @@
 namespace offmap::rawlog {
 
 InputFile::InputFile(const std::filesystem::path& file, WaitForMore waitForMore, Reading reading)
-    : reader_(std::make_unique<PieceReader>(file, std::move(waitForMore))),
+    : reader_(std::make_unique<PieceReader>(file, std::move(waitForMore), reading.times)),
       piece_(std::make_unique<FilePiece>()) {
-    if (reading == Reading::Ahead) ahead_ = std::make_unique<ReadAhead>(*reader_);
+    if (reading.ahead) ahead_ = std::make_unique<ReadAhead>(*reader_);
 }
 
 InputFile::~InputFile() = default;

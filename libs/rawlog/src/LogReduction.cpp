@@ -41,12 +41,13 @@ struct LogReduction::Work {
 
 LogReduction::LogReduction(const LogSurvey& survey, const Config& config,
                            LogTurns::Settings settings, std::function<TurnReducer()> makeReducer,
-                           Outputs outputs)
+                           Outputs outputs, StageTimes& times)
     : survey_(survey),
       input_(settings.input),
       turns_(survey, config, std::move(settings)),
       makeReducer_(std::move(makeReducer)),
-      outputs_(std::move(outputs)) {}
+      outputs_(std::move(outputs)),
+      times_(times) {}
 
 void LogReduction::run(RawlogReader& reader) {
     using tbb::filter_mode;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceReader.h"
 
+#include <offmap/rawlog/StageTimes.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <isa-l/igzip_lib.h>
+#include <optional>
 #include <stdexcept>
 #include <sys/stat.h>
 #include <utility>
@@ -53,9 +56,11 @@ std::string_view inflateError(int status) {
 
 }  // namespace
 
-PieceReader::PieceReader(const std::filesystem::path& file, InputFile::WaitForMore waitForMore)
+PieceReader::PieceReader(const std::filesystem::path& file, InputFile::WaitForMore waitForMore,
+                         StageTimes* times)
     : file_(std::fopen(file.c_str(), "rbe"), std::fclose),
       waitForMore_(std::move(waitForMore)),
+      times_(times),
       inflate_(nullptr, [](inflate_state* state) { delete state; }),
       compressed_(pieceSize) {
     if (!file_) failToOpen(file, errno);
@@ -71,6 +76,8 @@ PieceReader::PieceReader(const std::filesystem::path& file, InputFile::WaitForMo
 }
 
 void PieceReader::read(FilePiece& piece) {
+    std::optional<StageTimes::Measure> measure;
+    if (times_) measure.emplace(*times_, StageTimes::Unpack);
     piece.bytes.resize(pieceSize);
     size_t size = 0;
     if (failure_.empty()) size = isGzip() ? readInflated(piece.bytes) : readPlain(piece.bytes);

@@ -25,8 +25,10 @@ struct FilePiece {
 /// Reads and unpacks a file, plain or gzip, piece by piece.
 class PieceReader {
  public:
+    /// \param times that unpacking is added to; may be null
     /// \throw std::runtime_error naming the file, the cause and the fix.
-    PieceReader(const std::filesystem::path& file, InputFile::WaitForMore waitForMore);
+    PieceReader(const std::filesystem::path& file, InputFile::WaitForMore waitForMore,
+                StageTimes* times);
 
     /// Replaces what is in the piece by what comes next.
     void read(FilePiece& piece);
@@ -43,6 +45,7 @@ class PieceReader {
 
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     InputFile::WaitForMore waitForMore_;
+    StageTimes* times_;
     std::unique_ptr<inflate_state, void (*)(inflate_state*)> inflate_;  ///< null: it is plain
     std::vector<unsigned char> compressed_;
     size_t sniffed_ = 0;  ///< [byte] of compressed_ that began a plain file and are not read yet

@@ -10,7 +10,10 @@ ReadAhead::~ReadAhead() {
         const Lock lock(mutex_);
         ended_ = true;
     }
-    tasks_.wait();
+    try {
+        tasks_.wait();
+    } catch (...) {  // short of memory before it read: nobody misses it any more
+    }
 }
 
 void ReadAhead::take(FilePiece& piece) {
@@ -24,8 +27,7 @@ void ReadAhead::take(FilePiece& piece) {
         return;
     }
     std::swap(piece, ready_.front());
-    spare_.push_back(std::move(ready_.front()));
-    ready_.pop_front();
+    spare_.splice(spare_.end(), ready_, ready_.begin());
     if (asked_ || !mayRead()) return;
     asked_ = true;
     lock.unlock();
@@ -38,12 +40,15 @@ void ReadAhead::readSome() {
     while (mayRead()) readOne(lock);
 }
 
+/// Once it has read, nothing can fail any more: no piece is lost.
 void ReadAhead::readOne(Lock& lock) {
-    FilePiece piece;
-    if (!spare_.empty()) {
-        piece = std::move(spare_.back());
-        spare_.pop_back();
+    std::list<FilePiece> one;
+    if (spare_.empty()) {
+        one.emplace_back();
+    } else {
+        one.splice(one.end(), spare_, spare_.begin());
     }
+    FilePiece& piece = one.front();
     reading_ = true;
     lock.unlock();
     std::exception_ptr error;
@@ -56,7 +61,7 @@ void ReadAhead::readOne(Lock& lock) {
     reading_ = false;
     error_ = error;
     ended_ = ended_ || error || piece.bytes.empty() || !piece.failure.empty();
-    if (!error) ready_.push_back(std::move(piece));
+    if (!error) ready_.splice(ready_.end(), one);
     changed_.notify_all();
 }
 

@@ -4,8 +4,8 @@
 #include "PieceReader.h"
 
 #include <condition_variable>
-#include <deque>
 #include <exception>
+#include <list>
 #include <mutex>
 #include <oneapi/tbb/task_group.h>
 
@@ -33,12 +33,14 @@ class ReadAhead {
     PieceReader& reader_;
     std::mutex mutex_;  // of all below
     std::condition_variable changed_;
-    std::deque<FilePiece> ready_, spare_;
+    std::list<FilePiece> ready_, spare_;
     std::exception_ptr error_;
     bool reading_ = false;  // in some thread
     bool asked_ = false;    // a task that is to read has not begun yet
     bool ended_ = false;
-    tbb::task_group tasks_;
+    // Where this is asked from may be cancelled, or end before this does.
+    tbb::task_group_context context_{tbb::task_group_context::isolated};
+    tbb::task_group tasks_{context_};
 };
 
 }  // namespace offmap::rawlog

@@ -12,11 +12,23 @@ int64_t workedByThread() {  // [ns]
     return int64_t{1'000'000'000} * worked.tv_sec + worked.tv_nsec;
 }
 
+thread_local StageTimes::Measure* innermost = nullptr;
+
 }  // namespace
 
 StageTimes::Measure::Measure(StageTimes& times, Stage stage)
-    : total_(times.nanoseconds_[stage]), begin_(workedByThread()) {}
+    : total_(times.nanoseconds_[stage]), outer_(innermost) {
+    if (outer_) outer_->pause();
+    innermost = this;
+    begin_ = workedByThread();
+}
 
-StageTimes::Measure::~Measure() { total_ += workedByThread() - begin_; }
+StageTimes::Measure::~Measure() {
+    pause();
+    innermost = outer_;
+    if (outer_) outer_->begin_ = workedByThread();
+}
+
+void StageTimes::Measure::pause() { total_ += workedByThread() - begin_; }
 
 }  // namespace offmap::rawlog

@@ -10,7 +10,7 @@ import sys
 import tempfile
 import time
 
-STAGES = ["read", "reduce", "order", "serialise", "cut", "pack", "write"]
+STAGES = ["survey", "unpack", "read", "reduce", "order", "serialise", "cut", "pack", "write"]
 
 
 def run(command, repeats):

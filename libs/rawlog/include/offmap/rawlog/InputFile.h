@@ -13,10 +13,12 @@ namespace offmap::rawlog {
 struct FilePiece;
 class PieceReader;
 class ReadAhead;
+class StageTimes;
 
-enum class Reading : uint8_t {
-    WhenAsked,  ///< in the thread that asks
-    Ahead,      ///< also in threads of TBB that are idle
+/// How a file is read.
+struct Reading {
+    bool ahead = false;           ///< by threads of TBB that are idle too, not only by who asks
+    StageTimes* times = nullptr;  ///< that unpacking is added to; may be null
 };
 
 /// A file read from front to back: plain, gzip, or several gzip members one after the other. Unlike
@@ -29,7 +31,7 @@ class InputFile {
 
     /// \throw std::runtime_error naming the file, the cause and the fix.
     explicit InputFile(const std::filesystem::path& file, WaitForMore waitForMore = {},
-                       Reading reading = Reading::WhenAsked);
+                       Reading reading = {});
     ~InputFile();
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;

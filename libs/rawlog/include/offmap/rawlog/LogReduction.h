@@ -38,8 +38,9 @@ class LogReduction {
     struct Work;
 
     /// All references must outlive it. \param makeReducer called once a thread
+    /// \param times that the cost of each stage is added to
     LogReduction(const LogSurvey& survey, const Config& config, LogTurns::Settings settings,
-                 std::function<TurnReducer()> makeReducer, Outputs outputs);
+                 std::function<TurnReducer()> makeReducer, Outputs outputs, StageTimes& times);
 
     /// Called before each entry is read.
     std::function<void(const EntryPlace&)> beforeEntry = [](const EntryPlace&) {};
@@ -60,8 +61,6 @@ class LogReduction {
     /// \throw RawlogError, std::exception; then the outputs are of no use
     void run(RawlogReader& reader);
 
-    const StageTimes& times() const { return times_; }
-
  private:
     using WorkPtr = std::shared_ptr<Work>;
     WorkPtr read(RawlogReader& reader);
@@ -77,7 +76,7 @@ class LogReduction {
     LogTurns turns_;
     std::function<TurnReducer()> makeReducer_;
     Outputs outputs_;
-    StageTimes times_;
+    StageTimes& times_;
     uint64_t entriesRead_ = 0, entriesOrdered_ = 0;
     bool ended_ = false;                             // all entries are read, all turns are ended
     std::deque<std::shared_ptr<LogEntry>> pending_;  // in order, the first not resolved

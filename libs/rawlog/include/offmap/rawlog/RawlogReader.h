@@ -39,8 +39,7 @@ class RawlogReader {
     /// \param waitForMore of a log that is still being written, see InputFile
     /// \throw RawlogError if the file cannot be opened, is empty or not what it should be.
     explicit RawlogReader(const std::filesystem::path& file,
-                          InputFile::WaitForMore waitForMore = {},
-                          Reading reading = Reading::WhenAsked);
+                          InputFile::WaitForMore waitForMore = {}, Reading reading = {});
     RawlogReader(const RawlogReader&) = delete;
     RawlogReader& operator=(const RawlogReader&) = delete;
 
