@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 namespace offmap::rawlog {
@@ -51,6 +52,54 @@ TEST(CloudColumns, exactAzimuthsAreTheColumns) {
         const double found = columns.azimuths[columns.columnOf[i]];
         EXPECT_NEAR(mrpt::math::wrapToPi(found - azimuths[i / 16]), 0, 1e-6) << "point " << i;
     }
+}
+
+/// The columns must not depend on the order of the points, which a cloud stored column by column
+/// makes use of: [rad] a tangent in place of an angle of 0.02 degrees is 1.4e-11 off.
+void expectSameShuffled(const std::vector<TPoint3Df>& points) {
+    std::vector<size_t> order(points.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::shuffle(order.begin(), order.end(), std::mt19937(7));
+    std::vector<TPoint3Df> shuffled;
+    for (const size_t i : order) shuffled.push_back(points[i]);
+    const auto columns = findCloudColumns(points, 0), other = findCloudColumns(shuffled, 0);
+    ASSERT_EQ(columns.azimuths.size(), other.azimuths.size());
+    for (size_t c = 0; c < columns.azimuths.size(); ++c) {
+        EXPECT_NEAR(columns.azimuths[c], other.azimuths[c], 2e-11);
+    }
+    for (size_t i = 0; i < order.size(); ++i) {
+        ASSERT_EQ(columns.columnOf[order[i]], other.columnOf[i]) << order[i];
+    }
+}
+
+TEST(CloudColumns, orderOfThePointsDoesNotMatter) {
+    for (const int count : {36, 360, 1800, 4096}) {
+        SCOPED_TRACE(count);
+        auto points = columnsAt(evenAzimuths(count, -std::numbers::pi, DEG2RAD(360.0) / count));
+        expectSameShuffled(points);
+        for (TPoint3Df& p : points) {  // 0.01 degrees at 3 m
+            p.x = std::round(1000 * p.x) / 1000;
+            p.y = std::round(1000 * p.y) / 1000;
+        }
+        expectSameShuffled(points);
+        for (size_t i = 0; i < points.size(); i += 7)
+            points[i] = pointAt(0.01 * static_cast<double>(i), 0.3, 2);
+        expectSameShuffled(points);
+    }
+}
+
+TEST(CloudColumns, columnsStoredInSeveralPiecesAreWhole) {
+    const auto once = columnsAt(evenAzimuths(300, -2.0, DEG2RAD(0.5)));
+    auto twice = once;
+    twice.insert(twice.end(), once.rbegin(), once.rend());
+    EXPECT_EQ(findCloudColumns(twice, 0).azimuths.size(), 300U);
+    expectSameShuffled(twice);
+}
+
+TEST(CloudColumns, columnsFinerThanAnArcAreToldApart) {
+    const auto fine = columnsAt(evenAzimuths(900, 0.5, DEG2RAD(0.015)));
+    EXPECT_EQ(findCloudColumns(fine, 0).azimuths.size(), 900U);
+    expectSameShuffled(fine);
 }
 
 TEST(CloudColumns, sectorHasColumnsOfItsOwn) {

@@ -57,7 +57,7 @@ double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sens
 }
 
 void appendColumn(TurnScan& out, core::ScanColumn column,
-                  const mrpt::poses::CPose3D& sensorInVehicle, std::vector<ColumnReturn>& returns) {
+                  const mrpt::poses::CPose3D& sensorInVehicle, std::span<ColumnReturn> returns) {
     const auto& rotation = sensorInVehicle.getRotationMatrix();
     for (ColumnReturn& r : returns) {
         const double height =

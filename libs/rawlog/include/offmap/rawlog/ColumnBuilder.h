@@ -8,6 +8,7 @@
 #include <mrpt/poses/CPose3D.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace offmap::rawlog {
@@ -32,6 +33,6 @@ double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sens
 /// Puts a column behind those that `out` has: bottom to top by elevation in the vehicle's axes,
 /// exact duplicates skipped and counted. The order is total, so that of `returns` does not matter.
 void appendColumn(TurnScan& out, core::ScanColumn column,
-                  const mrpt::poses::CPose3D& sensorInVehicle, std::vector<ColumnReturn>& returns);
+                  const mrpt::poses::CPose3D& sensorInVehicle, std::span<ColumnReturn> returns);
 
 }  // namespace offmap::rawlog
