@@ -118,9 +118,7 @@ int run(const LiveCommandOptions& options) {
 
 }  // namespace
 
-void addLiveCommand(CLI::App& app, int& exitCode) {
-    CLI::App& command = *app.add_subcommand(
-        "live", "Reduce what a sensor, a capture or a log delivers, as it comes");
+void addLive(CLI::App& command, int& exitCode) {
     const auto options = std::make_shared<LiveCommandOptions>();
     options->addTo(command);
     command.footer("Ctrl-C ends it; what was recorded is then complete.");

@@ -6,6 +6,6 @@
 namespace offmap::app {
 
 /// `offmap live`: reduces what a sensor, a capture or a log delivers, as it comes.
-void addLiveCommand(CLI::App& app, int& exitCode);
+void addLive(CLI::App& command, int& exitCode);
 
 }  // namespace offmap::app
