@@ -100,6 +100,18 @@ TEST(PoseTrack, yawIsInterpolatedThroughPi) {
     EXPECT_NEAR(poseAt(track, 0.3).yaw, -M_PI + 0.2, slerpTolerance);
 }
 
+TEST(PoseTrack, uprightPosesTurnAsThoseThatHardlyLean) {
+    for (const double lean : {0.0, 1e-9}) {
+        const PoseTrack track(
+            {stamped(0, {0, 0, 0, 2.9, lean, 0}), stamped(0.4, {0, 0, 0, -3.1, 0, lean})});
+        for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+            const double turned = share * (2 * M_PI - 6);
+            EXPECT_NEAR(mrpt::math::wrapToPi(poseAt(track, 0.4 * share).yaw - 2.9), turned,
+                        lean > 0 ? slerpTolerance : rounding);
+        }
+    }
+}
+
 TEST(PoseTrack, nothingIsExtrapolated) {
     const PoseTrack track({stamped(0, {0, 0, 0, 0, 0, 0}), stamped(1, {10, 0, 0, 0, 0, 0})}, 0.5);
     EXPECT_EQ(poseAt(track, -0.5).x, 0);

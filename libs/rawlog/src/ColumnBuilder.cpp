@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/ColumnBuilder.h>
 
+#include <mrpt/math/wrap2pi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -51,6 +53,8 @@ void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
 
 double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sensorInVehicle) {
     const auto& rotation = sensorInVehicle.getRotationMatrix();
+    const bool upright = rotation(2, 2) == 1;
+    if (upright) return mrpt::math::wrapToPi(azimuthInSensor + sensorInVehicle.yaw());
     const double x = std::cos(azimuthInSensor), y = std::sin(azimuthInSensor);
     return std::atan2(rotation(1, 0) * x + rotation(1, 1) * y,
                       rotation(0, 0) * x + rotation(0, 1) * y);

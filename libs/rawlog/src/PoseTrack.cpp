@@ -17,9 +17,15 @@ namespace {
 using mrpt::math::TPose3D;
 using TimePoint = mrpt::Clock::time_point;
 
+bool isUpright(const TPose3D& pose) { return pose.pitch == 0 && pose.roll == 0; }
+
 TPose3D interpolated(const TPose3D& from, const TPose3D& to, double share) {
     TPose3D pose;
-    mrpt::math::slerp_ypr(from, to, share, pose);
+    if (isUpright(from) && isUpright(to)) {  // the same rotation as below, found more quickly
+        pose.yaw = mrpt::math::wrapToPi(from.yaw + share * mrpt::math::wrapToPi(to.yaw - from.yaw));
+    } else {
+        mrpt::math::slerp_ypr(from, to, share, pose);
+    }
     pose.x = std::lerp(from.x, to.x, share);
     pose.y = std::lerp(from.y, to.y, share);
     pose.z = std::lerp(from.z, to.z, share);
