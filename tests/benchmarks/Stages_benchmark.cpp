@@ -13,6 +13,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,9 +32,10 @@ struct Steps {
         findVerticalSegments(office.scan, levelled, config.vertical, splitting, segments);
     }
     void measure() {
+        const double maxMountingSlope = std::tan(config.groundInterval.maxMountingTilt);
         measured.clear();
         for (const VerticalSegment& segment : segments) {
-            measured.push_back(groundInterval(segment, levelled, config.groundInterval));
+            measured.push_back(groundInterval(segment, levelled, maxMountingSlope));
         }
     }
 

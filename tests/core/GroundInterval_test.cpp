@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace offmap::core {
@@ -13,13 +12,21 @@ namespace {
 
 constexpr double degree = mrpt::DEG2RAD(1.0);
 
-/// The interval of a segment that holds all points of a profile, (ground range, z).
-Interval intervalOf(std::vector<mrpt::math::TPoint2D> profile, double maxMountingTilt) {
+/// \param profile (ground range, z)
+LevelledScan levelledOf(const std::vector<mrpt::math::TPoint2D>& profile) {
     LevelledScan levelled;
-    levelled.profile = std::move(profile);
+    for (const auto& [range, z] : profile) {
+        levelled.range.push_back(range);
+        levelled.z.push_back(z);
+    }
+    return levelled;
+}
+
+/// The interval of a segment that holds all points of a profile, (ground range, z).
+Interval intervalOf(const std::vector<mrpt::math::TPoint2D>& profile, double maxMountingTilt) {
     VerticalSegment segment{};
-    segment.end = static_cast<uint32_t>(levelled.profile.size());
-    return groundInterval(segment, levelled, {maxMountingTilt});
+    segment.end = static_cast<uint32_t>(profile.size());
+    return groundInterval(segment, levelledOf(profile), std::tan(maxMountingTilt));
 }
 
 }  // namespace
@@ -43,12 +50,11 @@ TEST(GroundInterval, endFurthestAboveOrBelowTheSensorCounts) {
 }
 
 TEST(GroundInterval, looksAtTheSegmentAlone) {
-    LevelledScan levelled;
-    levelled.profile = {{1, 9}, {5, 0}, {5.25, 0}, {9, -9}};
+    const LevelledScan levelled = levelledOf({{1, 9}, {5, 0}, {5.25, 0}, {9, -9}});
     VerticalSegment segment{};
     segment.begin = 1;
     segment.end = 3;
-    EXPECT_EQ(groundInterval(segment, levelled, {2 * degree}), Interval(5, 5.25));
+    EXPECT_EQ(groundInterval(segment, levelled, std::tan(2 * degree)), Interval(5, 5.25));
 }
 
 }  // namespace offmap::core

@@ -221,7 +221,7 @@ TEST(SplitAndMerge, scratchCarriesNothingOver) {
     const auto again = splitAndMerge(low, config, scratch);
     ASSERT_EQ(again.size(), 1u);
     EXPECT_EQ(again[0].end, 11u);
-    EXPECT_TRUE(splitAndMerge({}, config, scratch).empty());
+    EXPECT_TRUE(splitAndMerge(std::span<const TPoint2D>{}, config, scratch).empty());
 }
 
 }  // namespace offmap::core

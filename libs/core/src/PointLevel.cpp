@@ -6,7 +6,7 @@ namespace offmap::core {
 using mrpt::math::TPoint2D;
 
 WallOffset ReturnOffsets::of(uint32_t point, uint32_t column, uint32_t wall) const {
-    const TPoint2D ground = levelled_.ground[point];
+    const TPoint2D ground = levelled_.ground(point);
     const double range = ground.norm();
     const TPoint2D beam = range > 0 ? ground * (1 / range) : TPoint2D(1, 0);
     const double sigma = sigmaRange(point);

@@ -11,6 +11,7 @@
 #include <offmap/core/WallGate.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace offmap::core {
 
@@ -66,10 +67,10 @@ void Reducer::Workspace::findViewpoints(const OrganizedScan& scan, const LineMap
 }
 
 void Reducer::Workspace::measureSegments(const ReductionConfig& config) {
+    const double maxMountingSlope = std::tan(config.groundInterval.maxMountingTilt);
     result.matches.assign(result.segments.size(), SegmentMatch());  // Kept, NoPose
     for (size_t s = 0; s < result.segments.size(); ++s) {
-        result.matches[s].measured =
-            groundInterval(result.segments[s], levelled, config.groundInterval);
+        result.matches[s].measured = groundInterval(result.segments[s], levelled, maxMountingSlope);
     }
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Lanes.h"
+#include "OffsetsFromLine.h"
+
 #include <offmap/core/SplitAndMerge.h>
 
 #include <algorithm>
@@ -7,71 +10,133 @@
 namespace offmap::core {
 
 using mrpt::math::TPoint2D;
-using Points = std::span<const TPoint2D>;
 using Run = SplitAndMergeScratch::Run;
 
 namespace {
 
-bool isGap(const TPoint2D& a, const TPoint2D& b, double maxGap) {
-    return (b - a).sqrNorm() > maxGap * maxGap;
+/// What is split: points, and how far each may be off.
+class Splitting {
+ public:
+    Splitting(const PlanePoints& points, const SplitAndMergeConfig& config)
+        : points_(points), config_(config) {}
+
+    void cutAtGaps(std::vector<Run>& runs) const;
+    uint32_t strayFromChord(const Run& run) const;
+    uint32_t strayFromLine(const LinePiece& piece) const;
+    LinePiece pieceOf(const Run& run) const;
+    void append(LinePiece piece, std::vector<LinePiece>& pieces) const;
+    void settleSeam(LinePiece& first, LinePiece& second) const;
+    bool longEnough(const LinePiece& piece) const;
+
+ private:
+    bool isGap(uint32_t before) const {
+        return (points_[before + 1] - points_[before]).sqrNorm() > config_.maxGap * config_.maxGap;
+    }
+    bool anyGap(uint32_t first, uint32_t last) const;
+    OffsetsFromLine offsets(const Run& run, const TPoint2D& from, const TPoint2D& along,
+                            double length) const;
+    bool keepsTolerance(const LinePiece& piece) const;
+    bool mayBeOne(const LinePiece& first, const LinePiece& second) const;
+
+    const PlanePoints& points_;
+    const SplitAndMergeConfig& config_;
+};
+
+/// Whether there is a gap before any of the points from the one after `first` to `last`.
+bool Splitting::anyGap(uint32_t first, uint32_t last) const {
+    const auto x = arrayOf(points_.x.subspan(first, last - first + 1));
+    const auto y = arrayOf(points_.y.subspan(first, last - first + 1));
+    const Eigen::Index steps = last - first;
+    const double widest =
+        ((x.tail(steps) - x.head(steps)).square() + (y.tail(steps) - y.head(steps)).square())
+            .maxCoeff();
+    return widest > config_.maxGap * config_.maxGap;
 }
 
-FittedLine chordOf(Points points, const Run& run) {
-    const TPoint2D from = points[run.begin], along = points[run.end - 1] - from;
-    const double length = std::sqrt(along.sqrNorm());
-    if (length == 0) return {from, {1, 0}};
-    return {from, along * (1 / length)};
+/// Runs without gaps that are worth a look, the last one on top.
+void Splitting::cutAtGaps(std::vector<Run>& runs) const {
+    constexpr uint32_t stride = 16;  // points that are looked at together
+    runs.clear();
+    auto end = static_cast<uint32_t>(points_.size());
+    const auto add = [&](uint32_t begin) {
+        if (end - begin >= config_.minPoints) runs.push_back({begin, end});
+        end = begin;
+    };
+    for (uint32_t last = end - std::min(end, 1u); last > 0;) {
+        const uint32_t first = last - std::min(last, stride);
+        if (anyGap(first, last)) {
+            for (uint32_t i = last; i > first; --i) {
+                if (isGap(i - 1)) add(i);
+            }
+        }
+        last = first;
+    }
+    if (end > 0) add(0);
 }
 
-LinePiece pieceOf(Points points, const Run& run) {
+OffsetsFromLine Splitting::offsets(const Run& run, const TPoint2D& from, const TPoint2D& along,
+                                   double length) const {
+    const auto slack = config_.slack.empty()
+                           ? config_.slack
+                           : config_.slack.subspan(run.begin, run.end - run.begin);
+    return {points_.range(run.begin, run.end), slack, from, along, length};
+}
+
+/// The point of a run that is furthest from the chord of its ends, its slack apart, if that is too
+/// far; else run.end.
+uint32_t Splitting::strayFromChord(const Run& run) const {
+    if (run.end - run.begin <= 2) return run.end;
+    const TPoint2D from = points_[run.begin];
+    TPoint2D along = points_[run.end - 1] - from;
+    double length = std::sqrt(along.sqrNorm());
+    if (length == 0) {
+        along = {1, 0};
+        length = 1;
+    }
+    return run.begin + offsets(run, from, along, length).furthestBeyond(config_.maxPointToLine);
+}
+
+uint32_t Splitting::strayFromLine(const LinePiece& piece) const {
+    return piece.begin +
+           offsets({piece.begin, piece.end}, piece.line.point, piece.line.direction, 1)
+               .furthestBeyond(config_.maxPointToLine);
+}
+
+bool Splitting::keepsTolerance(const LinePiece& piece) const {
+    return !offsets({piece.begin, piece.end}, piece.line.point, piece.line.direction, 1)
+                .anyBeyond(config_.maxPointToLine);
+}
+
+LinePiece Splitting::pieceOf(const Run& run) const {
     LinePiece piece{run.begin, run.end, {}, {}};
-    for (uint32_t i = run.begin; i < run.end; ++i) piece.fit.add(points[i]);
+    piece.fit.add(points_.range(run.begin, run.end));
     piece.line = piece.fit.line();
     return piece;
 }
 
-/// The point of a run that is furthest from a line, its slack apart, if that is too far; else
-/// run.end.
-uint32_t strayPoint(Points points, const Run& run, const FittedLine& line,
-                    const SplitAndMergeConfig& config) {
-    double furthest = config.maxPointToLine;
-    uint32_t stray = run.end;
-    for (uint32_t i = run.begin; i < run.end; ++i) {
-        const double slack = config.slack.empty() ? 0 : static_cast<double>(config.slack[i]);
-        const double distance = line.distance(points[i]) - slack;
-        if (distance > furthest) {
-            furthest = distance;
-            stray = i;
-        }
-    }
-    return stray;
-}
-
-bool keepsTolerance(Points points, const LinePiece& piece, const SplitAndMergeConfig& config) {
-    return strayPoint(points, {piece.begin, piece.end}, piece.line, config) == piece.end;
-}
-
-/// Runs without gaps, the last one on top.
-void cutAtGaps(Points points, double maxGap, std::vector<Run>& runs) {
-    runs.clear();
-    uint32_t end = static_cast<uint32_t>(points.size());
-    for (uint32_t i = end; i > 0; --i) {
-        if (i > 1 && !isGap(points[i - 2], points[i - 1], maxGap)) continue;
-        runs.push_back({i - 1, end});
-        end = i - 1;
-    }
+/// Three points that one line serves form a triangle no higher than twice the tolerance: most
+/// corners are told by their ends and the seam between, without a fit.
+bool Splitting::mayBeOne(const LinePiece& first, const LinePiece& second) const {
+    if (!config_.slack.empty()) return true;
+    const TPoint2D toSeam = points_[second.begin] - points_[first.begin];
+    const TPoint2D toEnd = points_[second.end - 1] - points_[first.begin];
+    const double twiceArea = toSeam.x * toEnd.y - toSeam.y * toEnd.x;
+    const double longest =
+        std::max({toSeam.sqrNorm(), toEnd.sqrNorm(), (toEnd - toSeam).sqrNorm()});
+    constexpr double rounding = 1 + 1e-9;
+    const double highest = 2 * rounding * config_.maxPointToLine;
+    return twiceArea * twiceArea <= highest * highest * longest;
 }
 
 /// Merges a piece into the one before it while one line serves both.
-void append(Points points, LinePiece piece, const SplitAndMergeConfig& config,
-            std::vector<LinePiece>& pieces) {
-    while (!pieces.empty() && pieces.back().end == piece.begin &&
-           !isGap(points[piece.begin - 1], points[piece.begin], config.maxGap)) {
+void Splitting::append(LinePiece piece, std::vector<LinePiece>& pieces) const {
+    while (!pieces.empty() && pieces.back().end == piece.begin && !isGap(piece.begin - 1) &&
+           mayBeOne(pieces.back(), piece)) {
         LinePiece both = pieces.back();
         both.end = piece.end;
         both.fit.add(piece.fit);
         both.line = both.fit.line();
-        if (!keepsTolerance(points, both, config)) break;
+        if (!keepsTolerance(both)) break;
         pieces.pop_back();
         piece = both;
     }
@@ -80,52 +145,57 @@ void append(Points points, LinePiece piece, const SplitAndMergeConfig& config,
 
 /// Splitting gives the points beside a corner to one piece or the other as the order has it. Moves
 /// the seam of two pieces, so that each point there belongs to the line it is nearer to.
-void settleSeam(Points points, const SplitAndMergeConfig& config, LinePiece& first,
-                LinePiece& second) {
+void Splitting::settleSeam(LinePiece& first, LinePiece& second) const {
     uint32_t seam = first.end;
-    if (isGap(points[seam - 1], points[seam], config.maxGap)) return;
+    if (seam != second.begin || isGap(seam - 1)) return;
     const auto claims = [&](const LinePiece& piece, const LinePiece& other, uint32_t i) {
-        return piece.end - piece.begin >= config.minPoints &&
-               piece.line.distance(points[i]) < other.line.distance(points[i]);
+        return piece.end - piece.begin >= config_.minPoints &&
+               piece.line.distance(points_[i]) < other.line.distance(points_[i]);
     };
     while (seam + 1 < second.end && claims(first, second, seam)) ++seam;
     while (seam - 1 > first.begin && claims(second, first, seam - 1)) --seam;
     if (seam == first.end) return;
-    const LinePiece before = pieceOf(points, {first.begin, seam});
-    const LinePiece after = pieceOf(points, {seam, second.end});
-    if (keepsTolerance(points, before, config) && keepsTolerance(points, after, config)) {
+    const LinePiece before = pieceOf({first.begin, seam});
+    const LinePiece after = pieceOf({seam, second.end});
+    if (keepsTolerance(before) && keepsTolerance(after)) {
         first = before;
         second = after;
     }
 }
 
-bool longEnough(Points points, const LinePiece& piece, const SplitAndMergeConfig& config) {
-    if (piece.end - piece.begin < config.minPoints) return false;
-    double low = piece.line.along(points[piece.begin]), high = low;
+bool Splitting::longEnough(const LinePiece& piece) const {
+    if (piece.end - piece.begin < config_.minPoints) return false;
+    const double first = piece.line.along(points_[piece.begin]);
+    if (std::abs(piece.line.along(points_[piece.end - 1]) - first) >= config_.minLength)
+        return true;
+    double low = first, high = first;
     for (uint32_t i = piece.begin; i < piece.end; ++i) {
-        const double coordinate = piece.line.along(points[i]);
+        const double coordinate = piece.line.along(points_[i]);
         low = std::min(low, coordinate);
         high = std::max(high, coordinate);
     }
-    return high - low >= config.minLength;
+    return high - low >= config_.minLength;
 }
 
 }  // namespace
 
-std::span<const LinePiece> splitAndMerge(Points points, const SplitAndMergeConfig& config,
+std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
+                                         const SplitAndMergeConfig& config,
                                          SplitAndMergeScratch& scratch) {
-    auto& [pending, pieces] = scratch;
+    const Splitting splitting(points, config);
+    auto& pending = scratch.pending;
+    auto& pieces = scratch.pieces;
     pieces.clear();
-    cutAtGaps(points, config.maxGap, pending);
+    splitting.cutAtGaps(pending);
     while (!pending.empty()) {
         const Run run = pending.back();
         pending.pop_back();
-        uint32_t at = strayPoint(points, run, chordOf(points, run), config);
+        uint32_t at = splitting.strayFromChord(run);
         if (at == run.end) {
-            const LinePiece piece = pieceOf(points, run);
-            at = strayPoint(points, run, piece.line, config);
+            const LinePiece piece = splitting.pieceOf(run);
+            at = splitting.strayFromLine(piece);
             if (at == run.end) {
-                append(points, piece, config, pieces);
+                splitting.append(piece, pieces);
                 continue;
             }
         }
@@ -134,12 +204,21 @@ std::span<const LinePiece> splitAndMerge(Points points, const SplitAndMergeConfi
         pending.push_back({at, run.end});
         pending.push_back({run.begin, at});
     }
-    for (size_t i = 1; i < pieces.size(); ++i) {
-        settleSeam(points, config, pieces[i - 1], pieces[i]);
-    }
-    std::erase_if(pieces,
-                  [&](const LinePiece& piece) { return !longEnough(points, piece, config); });
+    for (size_t i = 1; i < pieces.size(); ++i) splitting.settleSeam(pieces[i - 1], pieces[i]);
+    std::erase_if(pieces, [&](const LinePiece& piece) { return !splitting.longEnough(piece); });
     return pieces;
+}
+
+std::span<const LinePiece> splitAndMerge(std::span<const TPoint2D> points,
+                                         const SplitAndMergeConfig& config,
+                                         SplitAndMergeScratch& scratch) {
+    scratch.x.clear();
+    scratch.y.clear();
+    for (const TPoint2D& p : points) {
+        scratch.x.push_back(p.x);
+        scratch.y.push_back(p.y);
+    }
+    return splitAndMerge({scratch.x, scratch.y}, config, scratch);
 }
 
 }  // namespace offmap::core

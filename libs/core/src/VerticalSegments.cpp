@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Lanes.h"
+
 #include <offmap/core/VerticalSegments.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace offmap::core {
 
@@ -10,37 +13,56 @@ using mrpt::math::TPoint2D;
 
 namespace {
 
-VerticalSegment segmentOf(const LinePiece& piece, uint32_t column, uint32_t begin,
-                          const LevelledScan& levelled) {
-    VerticalSegment segment{};
-    segment.column = column;
-    segment.begin = begin + piece.begin;
-    segment.end = begin + piece.end;
-    double low = 0, high = 0;  // piece.line.point is the points' mean, so 0 lies between
-    TPoint2D sum(0, 0);
-    for (uint32_t i = segment.begin; i < segment.end; ++i) {
-        const double coordinate = piece.line.along(levelled.profile[i]);
-        low = std::min(low, coordinate);
-        high = std::max(high, coordinate);
-        sum += levelled.ground[i];
+/// Makes segments of pieces that stand upright.
+class Uprights {
+ public:
+    Uprights(const LevelledScan& levelled, double maxTilt)
+        : levelled_(levelled), maxTilt_(maxTilt), maxSlope_(std::tan(maxTilt) * (1 + rounding)) {}
+
+    /// \param begin of the points that the piece counts from
+    std::optional<VerticalSegment> segmentOf(const LinePiece& piece, uint32_t column,
+                                             uint32_t begin) const {
+        const double aside = std::abs(piece.line.direction.x);
+        const double upwards = std::abs(piece.line.direction.y);
+        if (aside > upwards * maxSlope_) return std::nullopt;  // most floors: no angle is needed
+        VerticalSegment segment{};
+        segment.tilt = std::atan2(aside, upwards);
+        if (segment.tilt > maxTilt_) return std::nullopt;
+        segment.column = column;
+        segment.begin = begin + piece.begin;
+        segment.end = begin + piece.end;
+        addEnds(piece, segment);
+        return segment;
     }
-    segment.bottom = piece.line.at(low);
-    segment.top = piece.line.at(high);
-    if (segment.bottom.y > segment.top.y) std::swap(segment.bottom, segment.top);
-    segment.tilt = std::atan2(std::abs(piece.line.direction.x), std::abs(piece.line.direction.y));
-    segment.centre = sum * (1.0 / (segment.end - segment.begin));
-    return segment;
-}
+
+ private:
+    static constexpr double rounding = 1e-9;
+
+    void addEnds(const LinePiece& piece, VerticalSegment& segment) const {
+        const uint32_t count = segment.end - segment.begin;
+        const auto& [point, direction] = piece.line;
+        const PlanePoints profile = levelled_.profile(segment.begin, segment.end);
+        const auto along = (arrayOf(profile.x) - point.x) * direction.x +
+                           (arrayOf(profile.y) - point.y) * direction.y;
+        segment.bottom = piece.line.at(along.minCoeff());
+        segment.top = piece.line.at(along.maxCoeff());
+        if (segment.bottom.y > segment.top.y) std::swap(segment.bottom, segment.top);
+        segment.centre = TPoint2D(sumOf(std::span(levelled_.x).subspan(segment.begin, count)),
+                                  sumOf(std::span(levelled_.y).subspan(segment.begin, count))) *
+                         (1.0 / count);
+    }
+
+    const LevelledScan& levelled_;
+    double maxTilt_, maxSlope_;  // [rad], [-]
+};
 
 /// What noise beyond the tolerance asks for; nothing where the scan tells of none.
-std::vector<float> slackOf(const OrganizedScan& scan, double maxPointToLine) {
+void findSlack(const OrganizedScan& scan, double maxPointToLine, std::vector<float>& slack) {
     constexpr double sigmas = 3;
-    std::vector<float> slack;
-    slack.reserve(scan.rangeSigma.size());
+    slack.clear();
     for (const double sigma : scan.rangeSigma) {
         slack.push_back(static_cast<float>(std::max(sigmas * sigma - maxPointToLine, 0.0)));
     }
-    return slack;
 }
 
 }  // namespace
@@ -50,33 +72,29 @@ void findVerticalSegments(const OrganizedScan& scan, const LevelledScan& levelle
                           std::vector<VerticalSegment>& segments) {
     SplitAndMergeConfig splitting{config.maxPointToLine, config.maxGap, config.minLength,
                                   config.minPoints};
-    const std::vector<float> slack = slackOf(scan, config.maxPointToLine);
+    findSlack(scan, config.maxPointToLine, scratch.slack);
+    const Uprights uprights(levelled, config.maxTilt);
     segments.clear();
     for (uint32_t c = 0; c < scan.columns.size(); ++c) {
         const ScanColumn& column = scan.columns[c];
         if (column.end - column.begin < config.minPoints) continue;
-        const std::span profile(levelled.profile.data() + column.begin, column.end - column.begin);
-        if (!slack.empty())
-            splitting.slack = std::span(slack).subspan(column.begin, profile.size());
+        const PlanePoints profile = levelled.profile(column.begin, column.end);
+        if (!scratch.slack.empty()) {
+            splitting.slack = std::span(scratch.slack).subspan(column.begin, profile.size());
+        }
         for (const LinePiece& piece : splitAndMerge(profile, splitting, scratch)) {
-            const VerticalSegment segment = segmentOf(piece, c, column.begin, levelled);
-            if (segment.tilt <= config.maxTilt) segments.push_back(segment);
+            const auto segment = uprights.segmentOf(piece, c, column.begin);
+            if (segment) segments.push_back(*segment);
         }
     }
 }
 
 Interval groundInterval(const VerticalSegment& segment, const LevelledScan& levelled,
-                        const GroundIntervalConfig& config) {
-    const TPoint2D first = levelled.profile[segment.begin];
-    double min = first.x, max = first.x;  // eq. 3
-    double height = 0;                    // of the end furthest above or below the sensor
-    for (uint32_t i = segment.begin; i < segment.end; ++i) {
-        const TPoint2D& p = levelled.profile[i];
-        min = std::min(min, p.x);
-        max = std::max(max, p.x);
-        height = std::max(height, std::abs(p.y));
-    }
-    return Interval(min, max).expanded(height * std::tan(config.maxMountingTilt));  // eqs. 4, 5
+                        double maxMountingSlope) {
+    const auto [range, z] = levelled.profile(segment.begin, segment.end);
+    const double height = arrayOf(z).abs().maxCoeff();  // of the end furthest from the sensor's
+    const double margin = height * maxMountingSlope;    // eqs. 4, 5
+    return {arrayOf(range).minCoeff() - margin, arrayOf(range).maxCoeff() + margin};  // eq. 3
 }
 
 }  // namespace offmap::core

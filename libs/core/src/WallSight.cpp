@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Lanes.h"
+
 #include <offmap/core/WallSight.h>
 
 #include <cmath>
@@ -10,28 +12,51 @@ using mrpt::math::TPoint2D;
 namespace {
 
 /// Regression of the returns' places on their heights.
+class HeightRegression {
+ public:
+    HeightRegression(const VerticalSegment& segment, const LevelledScan& levelled)
+        : centre_(segment.centre) {
+        const uint32_t count = segment.end - segment.begin;
+        meanHeight_ = sumOf(std::span(levelled.z).subspan(segment.begin, count)) / count;
+        uint32_t i = segment.begin;
+        Lanes squares = Lanes::Zero(), alongX = squares, alongY = squares;
+        for (; i + laneCount <= segment.end; i += laneCount) {
+            const Lanes above = lanesAt(levelled.z.data() + i) - meanHeight_;
+            squares += above * above;
+            alongX += (lanesAt(levelled.x.data() + i) - centre_.x) * above;
+            alongY += (lanesAt(levelled.y.data() + i) - centre_.y) * above;
+        }
+        double variance = squares.sum();
+        TPoint2D slope(alongX.sum(), alongY.sum());
+        for (; i < segment.end; ++i) {
+            const double above = levelled.z[i] - meanHeight_;
+            variance += above * above;
+            slope += (levelled.ground(i) - centre_) * above;
+        }
+        deviation_ = std::sqrt(variance / count);
+        perDeviation_ = variance > 0 ? slope * (deviation_ / variance) : TPoint2D(0, 0);
+    }
+
+    double meanHeight() const { return meanHeight_; }
+    SeenPoint below() const { return {centre_ - perDeviation_, meanHeight_ - deviation_}; }
+    SeenPoint above() const { return {centre_ + perDeviation_, meanHeight_ + deviation_}; }
+
+ private:
+    TPoint2D centre_;
+    double meanHeight_, deviation_;  // [m]
+    TPoint2D perDeviation_;          // [m] shift on the ground per standard deviation of height
+};
+
 WallSight sightOf(const VerticalSegment& segment, uint32_t index, const ColumnPlace& place,
                   const LevelledScan& levelled, double sensorHeight) {
-    const uint32_t count = segment.end - segment.begin;
-    double meanHeight = 0;
-    for (uint32_t i = segment.begin; i < segment.end; ++i) meanHeight += levelled.profile[i].y;
-    meanHeight /= count;
-    double variance = 0;
-    TPoint2D slope(0, 0);
-    for (uint32_t i = segment.begin; i < segment.end; ++i) {
-        const double above = levelled.profile[i].y - meanHeight;
-        variance += above * above;
-        slope += (levelled.ground[i] - segment.centre) * above;
-    }
-    if (variance > 0) slope = slope * (1 / variance);
-    const double deviation = std::sqrt(variance / count);
+    const HeightRegression line(segment, levelled);
     return {index,
             place,
-            {segment.centre - slope * deviation, meanHeight - deviation},
-            {segment.centre + slope * deviation, meanHeight + deviation},
+            line.below(),
+            line.above(),
             segment.centre * (1 / segment.centre.norm()),
-            sensorHeight + meanHeight,
-            count};
+            sensorHeight + line.meanHeight(),
+            segment.end - segment.begin};
 }
 
 std::optional<double> rangeSigmaOf(const OrganizedScan& scan, const VerticalSegment& segment) {

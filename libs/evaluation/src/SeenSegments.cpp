@@ -21,8 +21,8 @@ bool isSeenOver(const VerticalSegment& segment, const ScanColumn& column,
     constexpr uint32_t few = 3;                   // returns may be mixed pixels or noise
     uint32_t count = 0;
     for (uint32_t i = column.begin; i < column.end; ++i) {
-        const mrpt::math::TPoint2D& p = levelled.profile[i];  // (ground range, z)
-        count += p.y > segment.top.y + above && p.x > segment.top.x + beyond;
+        count += levelled.z[i] > segment.top.y + above &&
+                 levelled.range[i] > segment.top.x + beyond;  // (ground range, z)
     }
     return count >= few;
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <offmap/core/OrganizedScan.h>
+#include <offmap/core/PlanePoints.h>
 
 #include <mrpt/math/TPoint2D.h>
-#include <mrpt/math/TPoint3D.h>
 
 #include <vector>
 
@@ -14,9 +14,16 @@ namespace offmap::core {
 /// the vehicle and of the mounting are so undone before anything is called vertical. In a column
 /// without a pose, the axes are those of the vehicle.
 struct LevelledScan {
-    std::vector<mrpt::math::TPoint2D> ground;  ///< [m] x, y per point, from the sensor
-    std::vector<mrpt::math::TPoint2D>
-        profile;  ///< [m] (ground range, z) per point, from the sensor
+    std::vector<double> x, y;   ///< [m] per point, on the ground
+    std::vector<double> range;  ///< [m] per point: ground range
+    std::vector<double> z;      ///< [m] per point, above the sensor
+
+    mrpt::math::TPoint2D ground(uint32_t point) const { return {x[point], y[point]}; }
+
+    /// Points as (ground range, z).
+    PlanePoints profile(uint32_t begin, uint32_t end) const {
+        return PlanePoints{range, z}.range(begin, end);
+    }
 };
 
 void level(const OrganizedScan& scan, LevelledScan& levelled);

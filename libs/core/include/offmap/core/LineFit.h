@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/core/PlanePoints.h>
+
 #include <mrpt/math/TPoint2D.h>
 
 #include <cmath>
@@ -38,6 +40,8 @@ class LineFit {
         xy_ += x * y;
         yy_ += y * y;
     }
+    /// As if the points had been added one by one, but for rounding.
+    void add(const PlanePoints& points);
     /// As if the points of the other had been added one by one.
     void add(const LineFit& other);
     size_t count() const { return count_; }

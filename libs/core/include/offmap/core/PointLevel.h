@@ -27,9 +27,7 @@ class ReturnOffsets {
           map_(map),
           config_(config) {}
 
-    SeenPoint seen(uint32_t point) const {
-        return {levelled_.ground[point], levelled_.profile[point].y};
-    }
+    SeenPoint seen(uint32_t point) const { return {levelled_.ground(point), levelled_.z[point]}; }
 
     /// \param column of the return
     WallOffset of(uint32_t point, uint32_t column, uint32_t wall) const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <offmap/core/LineFit.h>
+#include <offmap/core/PlanePoints.h>
 
 #include <mrpt/math/TPoint2D.h>
 
@@ -33,6 +34,8 @@ struct SplitAndMergeScratch {
     };
     std::vector<Run> pending;
     std::vector<LinePiece> pieces;
+    std::vector<double> x, y;  ///< [m] of points that came pair by pair
+    std::vector<float> slack;  ///< [m] see SplitAndMergeConfig
 };
 
 /// Straight pieces of an ordered list of points, in its order and disjoint: the list is cut at
@@ -40,6 +43,9 @@ struct SplitAndMergeScratch {
 /// neighbouring pieces are merged while one fitted line serves both; then each point beside the
 /// seam of two pieces goes to the nearer line (section 2: Borges 2000, Nguyen 2005). \return valid
 /// until the scratch is used again
+std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
+                                         const SplitAndMergeConfig& config,
+                                         SplitAndMergeScratch& scratch);
 std::span<const LinePiece> splitAndMerge(std::span<const mrpt::math::TPoint2D> points,
                                          const SplitAndMergeConfig& config,
                                          SplitAndMergeScratch& scratch);

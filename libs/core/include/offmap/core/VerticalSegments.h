@@ -19,7 +19,8 @@ void findVerticalSegments(const OrganizedScan& scan, const LevelledScan& levelle
 
 /// The interval of ground range that a segment's points span, widened by what a tilted mounting
 /// does to its higher or lower end (eqs. 3 to 5) [m].
+/// \param maxMountingSlope tangent of GroundIntervalConfig::maxMountingTilt
 Interval groundInterval(const VerticalSegment& segment, const LevelledScan& levelled,
-                        const GroundIntervalConfig& config);
+                        double maxMountingSlope);
 
 }  // namespace offmap::core
