@@ -1,32 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Lanes.h"
-
 #include <offmap/core/LineFit.h>
 
 namespace offmap::core {
-
-void LineFit::add(const PlanePoints& points) {
-    if (points.size() == 0) return;
-    if (count_ == 0) origin_ = points[0];
-    Lanes sumX = Lanes::Zero(), sumY = sumX, sumXX = sumX, sumXY = sumX, sumYY = sumX;
-    size_t i = 0;
-    for (; i + laneCount <= points.size(); i += laneCount) {
-        const Lanes x = lanesAt(points.x.data() + i) - origin_.x;
-        const Lanes y = lanesAt(points.y.data() + i) - origin_.y;
-        sumX += x;
-        sumY += y;
-        sumXX += x * x;
-        sumXY += x * y;
-        sumYY += y * y;
-    }
-    count_ += i;
-    x_ += sumX.sum();
-    y_ += sumY.sum();
-    xx_ += sumXX.sum();
-    xy_ += sumXY.sum();
-    yy_ += sumYY.sum();
-    for (; i < points.size(); ++i) add(points[i]);
-}
 
 void LineFit::add(const LineFit& other) {
     if (count_ == 0) {
@@ -44,25 +19,38 @@ void LineFit::add(const LineFit& other) {
 }
 
 FittedLine LineFit::line() const {
-    const double inverse = 1 / static_cast<double>(count_);
-    const double sxx = xx_ - x_ * x_ * inverse, sxy = xy_ - x_ * y_ * inverse,
-                 syy = yy_ - y_ * y_ * inverse;
-    // The major axis of the 2x2 scatter [sxx sxy; sxy syy] stands at half the angle of (sxx - syy,
-    // 2 sxy).
-    const double difference = sxx - syy, doubled = 2 * sxy;
-    const double length = std::sqrt(difference * difference + doubled * doubled);
-    FittedLine line;
-    line.point = {origin_.x + x_ * inverse, origin_.y + y_ * inverse};
-    if (length == 0) {
-        line.direction = {1, 0};
-        return line;
+    const ScaledLine scaled = scaledLine();
+    return {scaled.point, scaled.along * (1 / scaled.length)};
+}
+
+void RangeFits::build(const PlanePoints& points) {
+    before_.resize(points.size() + 1);
+    before_.front() = {};
+    if (points.size() == 0) return;
+    origin_ = points[0];
+    Sums sums;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const double x = points.x[i] - origin_.x, y = points.y[i] - origin_.y;
+        sums.x += x;
+        sums.y += y;
+        sums.xx += x * x;
+        sums.xy += x * y;
+        sums.yy += y * y;
+        before_[i + 1] = sums;
     }
-    // Half-angle formulas, from the larger component, so that neither loses digits.
-    const double larger = length + std::abs(difference);
-    const double scale = 1 / std::sqrt(larger * larger + doubled * doubled);
-    line.direction = difference >= 0 ? mrpt::math::TPoint2D(larger * scale, doubled * scale)
-                                     : mrpt::math::TPoint2D(doubled * scale, larger * scale);
-    return line;
+}
+
+LineFit RangeFits::of(size_t begin, size_t end) const {
+    const Sums &from = before_[begin], &to = before_[end];
+    LineFit fit;
+    fit.count_ = end - begin;
+    fit.origin_ = origin_;
+    fit.x_ = to.x - from.x;
+    fit.y_ = to.y - from.y;
+    fit.xx_ = to.xx - from.xx;
+    fit.xy_ = to.xy - from.xy;
+    fit.yy_ = to.yy - from.yy;
+    return fit;
 }
 
 }  // namespace offmap::core

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace offmap::core {
 
@@ -26,6 +27,13 @@ struct FittedLine {
     mrpt::math::TPoint2D at(double coordinate) const { return point + direction * coordinate; }
 };
 
+/// The same, but for the length of the vector: that spares a division.
+struct ScaledLine {
+    mrpt::math::TPoint2D point;
+    mrpt::math::TPoint2D along;
+    double length;  ///< [m] of `along`, not 0
+};
+
 /// Total least squares line through points that are added one by one. Sums are taken from the first
 /// point, so that far from the origin nothing is lost.
 class LineFit {
@@ -40,19 +48,52 @@ class LineFit {
         xy_ += x * y;
         yy_ += y * y;
     }
-    /// As if the points had been added one by one, but for rounding.
-    void add(const PlanePoints& points);
     /// As if the points of the other had been added one by one.
     void add(const LineFit& other);
     size_t count() const { return count_; }
 
     /// The line of least squared distances; through coinciding points, one along x.
     FittedLine line() const;
+    ScaledLine scaledLine() const;
 
  private:
+    friend class RangeFits;
+
     size_t count_ = 0;
     mrpt::math::TPoint2D origin_;
     double x_ = 0, y_ = 0, xx_ = 0, xy_ = 0, yy_ = 0;
+};
+
+inline ScaledLine LineFit::scaledLine() const {
+    const double n = static_cast<double>(count_);
+    const mrpt::math::TPoint2D point(origin_.x + x_ / n, origin_.y + y_ / n);
+    const double sxx = n * xx_ - x_ * x_, sxy = n * xy_ - x_ * y_, syy = n * yy_ - y_ * y_;
+    // The major axis of the 2x2 scatter [sxx sxy; sxy syy] stands at half the angle of
+    // (sxx - syy, 2 sxy).
+    const double difference = sxx - syy, doubled = 2 * sxy;
+    const double length = std::sqrt(difference * difference + doubled * doubled);
+    if (length == 0) return {point, {1, 0}, 1};
+    // Half-angle formulas, from the larger component, so that neither loses digits.
+    const double larger = length + std::abs(difference);
+    const mrpt::math::TPoint2D along = difference >= 0 ? mrpt::math::TPoint2D(larger, doubled)
+                                                       : mrpt::math::TPoint2D(doubled, larger);
+    return {point, along, std::sqrt(2 * length * larger)};
+}
+
+/// The fits of all ranges of a list of points, each had in constant time from running sums.
+class RangeFits {
+ public:
+    void build(const PlanePoints& points);
+
+    /// \pre begin < end
+    LineFit of(size_t begin, size_t end) const;
+
+ private:
+    struct Sums {
+        double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    };
+    mrpt::math::TPoint2D origin_;
+    std::vector<Sums> before_;  // each point, and the end
 };
 
 }  // namespace offmap::core

@@ -32,8 +32,9 @@ struct SplitAndMergeScratch {
     struct Run {
         uint32_t begin, end;
     };
-    std::vector<Run> pending;
+    std::vector<Run> pending, straight;
     std::vector<LinePiece> pieces;
+    RangeFits fits;
     std::vector<double> x, y;  ///< [m] of points that came pair by pair
     std::vector<float> slack;  ///< [m] see SplitAndMergeConfig
 };
