@@ -62,13 +62,14 @@ struct Steps {
     void alignPose() {
         const auto& inMap = office.pose.sensorInMap;
         alignment = align(sights, office.map, {inMap.x(), inMap.y()}, office.pose.groundCovariance,
-                          config.alignment);
+                          config.alignment, aligning);
     }
     void gate() {
         matches.clear();
+        const Turn turn(alignment.correction);
         for (const WallSight& sight : sights) {
             matches.push_back(matchByGate(sight, measured[sight.segment], alignment.correction,
-                                          office.map, config));
+                                          turn, office.map, config));
         }
     }
     void judgePoints() {
@@ -79,7 +80,7 @@ struct Steps {
             std::fill(labels.begin() + segments[s].begin, labels.begin() + segments[s].end,
                       matches[s].mapped() ? PointLabel::Mapped : PointLabel::Kept);
         }
-        labelLooseReturns(offsets, segments, matches, labels);
+        labelLooseReturns(offsets, segments, matches, looseReturns, labels);
         keepRunsOffTheWall(offsets, segments, matches, labels);
         keepFloorAtTheFoot(offsets, segments, matches, labels);
     }
@@ -96,7 +97,9 @@ struct Steps {
     ExtensionScratch extension;
     std::vector<ColumnPlace> places;
     std::vector<WallSight> sights;
+    AlignmentScratch aligning;
     Alignment alignment;
+    LooseReturnsScratch looseReturns;
     std::vector<PointLabel> labels;
 };
 

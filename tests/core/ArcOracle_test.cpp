@@ -83,10 +83,10 @@ TEST(ArcOracle, raysMeetAnArcWhereTheyMeetAThousandChords) {
             ASSERT_EQ(byArc.has_value(), byLine.has_value()) << "arc " << seed << " ray " << i;
             byArc ? ++hits : ++misses;
             if (!byArc) continue;
-            const double shift = 2 * world.sagitta() / std::sin(byArc->incidence);
+            const double shift = 2 * world.sagitta() / byArc->incidence.sine();
             ASSERT_NEAR(byArc->range, byLine->range, shift) << "arc " << seed << " ray " << i;
             const double chordAngle = world.arc.sweep / chords;
-            ASSERT_NEAR(byArc->incidence, byLine->incidence, chordAngle);
+            ASSERT_NEAR(byArc->incidence.angle(), byLine->incidence.angle(), chordAngle);
         }
     }
     EXPECT_GT(hits, 3000);

@@ -69,7 +69,7 @@ TEST(CastRay, squareHitGivesRangeAndRightAngle) {
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->range, 2);
     EXPECT_EQ(hit->wall, 0u);
-    EXPECT_DOUBLE_EQ(hit->incidence, pi / 2);
+    EXPECT_DOUBLE_EQ(hit->incidence.angle(), pi / 2);
 }
 
 TEST(CastRay, obliqueHitGivesItsAngleWhicheverWayTheWallIsDrawn) {
@@ -79,7 +79,7 @@ TEST(CastRay, obliqueHitGivesItsAngleWhicheverWayTheWallIsDrawn) {
         const auto hit = map.castRay({0, 0}, {1, 0}, maxRange, 0);
         ASSERT_TRUE(hit);
         EXPECT_DOUBLE_EQ(hit->range, 3);
-        EXPECT_DOUBLE_EQ(hit->incidence, pi / 4);
+        EXPECT_DOUBLE_EQ(hit->incidence.angle(), pi / 4);
     }
 }
 
@@ -125,7 +125,7 @@ TEST(CastRay, rayAlongAWallMeetsItsNearerEnd) {
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->range, 3);
     EXPECT_EQ(hit->wall, 0u);
-    EXPECT_GT(hit->incidence, 0);
+    EXPECT_GT(hit->incidence.angle(), 0);
     EXPECT_EQ(map.castRay({4, 0}, {1, 0}, maxRange, 0)->range, 0);  // stands on it
     EXPECT_EQ(map.castRay({7, 0}, {1, 0}, maxRange, 0)->wall, 1u);  // behind it
     EXPECT_EQ(map.castRay({0, 1e-9}, {1, 0}, maxRange, 0)->wall, 1u);
@@ -174,7 +174,7 @@ TEST(CastRay, grazingHitLiesWithinItsWall) {
     ASSERT_TRUE(hit);
     EXPECT_GE(hit->range, 10);
     EXPECT_LE(hit->range, 30);
-    EXPECT_NEAR(hit->incidence, 2.2e-8 / 20, 1e-15);
+    EXPECT_NEAR(hit->incidence.angle(), 2.2e-8 / 20, 1e-15);
 }
 
 TEST(CastRay, tiesTakeTheFirstWall) {

@@ -70,6 +70,7 @@ struct AtTheWall {
     AlignmentConfig config{.sigmaRange = 0.02};
     std::vector<VerticalSegment> segments;
     std::vector<SegmentMatch> matches;
+    LooseReturnsScratch scratch;
     std::vector<PointLabel> labels;
 };
 
@@ -81,7 +82,7 @@ constexpr auto mapped = PointLabel::Mapped, kept = PointLabel::Kept,
 TEST(LooseReturns, onAWallThatWasRemovedBesideGoToo) {
     AtTheWall scene;
     scene.removeSegment(3, 0, 20);
-    labelLooseReturns(scene.offsets(), scene.segments, scene.matches, scene.labels);
+    labelLooseReturns(scene.offsets(), scene.segments, scene.matches, scene.scratch, scene.labels);
     EXPECT_EQ(scene.label(4, 10), mapped);
     EXPECT_EQ(scene.label(6, 10), mapped);
     EXPECT_EQ(scene.label(7, 10), loose) << "four columns away";
@@ -90,7 +91,7 @@ TEST(LooseReturns, onAWallThatWasRemovedBesideGoToo) {
 TEST(LooseReturns, stayOutsideTheHeightsThatWereRemoved) {
     AtTheWall scene;
     scene.removeSegment(3, 5, 15);  // z from -0.5 to 0.5 m
-    labelLooseReturns(scene.offsets(), scene.segments, scene.matches, scene.labels);
+    labelLooseReturns(scene.offsets(), scene.segments, scene.matches, scene.scratch, scene.labels);
     EXPECT_EQ(scene.label(4, 5), loose) << "its foot: it may be of the floor";
     EXPECT_EQ(scene.label(4, 6), mapped);
     EXPECT_EQ(scene.label(4, 14), mapped);
@@ -104,7 +105,7 @@ TEST(LooseReturns, stayBeforeTheWall) {
     scene.removeSegment(3, 0, 20);
     scene.moveForward(4, 0, 9, 0.06F);
     scene.moveForward(4, 10, 20, 0.08F);
-    labelLooseReturns(scene.offsets(), scene.segments, scene.matches, scene.labels);
+    labelLooseReturns(scene.offsets(), scene.segments, scene.matches, scene.scratch, scene.labels);
     EXPECT_EQ(scene.label(4, 5), mapped);
     EXPECT_EQ(scene.label(4, 15), loose);
 }
@@ -115,7 +116,7 @@ TEST(LooseReturns, labelsOfSegmentsAreNotTouched) {
     for (uint32_t i = 0; i < AtTheWall::returns; ++i) {
         scene.labels[4 * AtTheWall::returns + i] = kept;
     }
-    labelLooseReturns(scene.offsets(), scene.segments, scene.matches, scene.labels);
+    labelLooseReturns(scene.offsets(), scene.segments, scene.matches, scene.scratch, scene.labels);
     EXPECT_EQ(scene.label(4, 10), kept);
 }
 

@@ -40,7 +40,8 @@ struct WrongPose {
     }
 
     Alignment alignTo(const LineMap& map, const Eigen::Matrix3d& stated) const {
-        return align(sights, map, pivot, stated, {});
+        AlignmentScratch scratch;
+        return align(sights, map, pivot, stated, {}, scratch);
     }
 
     test::BuiltScan built;
@@ -196,7 +197,9 @@ TEST(ScanAlignment, doesNotDependOnTheMapsAxes) {
 }
 
 TEST(ScanAlignment, withoutSightsFitsNothing) {
-    const Alignment alignment = align({}, roomMap(), {0, 0}, statedCovariance(0.05, 1), {});
+    AlignmentScratch scratch;
+    const Alignment alignment =
+        align({}, roomMap(), {0, 0}, statedCovariance(0.05, 1), {}, scratch);
     EXPECT_EQ(alignment.fittedShare, 0);
 }
 

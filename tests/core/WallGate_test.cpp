@@ -28,7 +28,7 @@ WallSight sightAt(double groundRange, double azimuth = 0) {
 SegmentMatch matchAt(double groundRange, const LineMap& map, const PoseCorrection& correction = {},
                      double azimuth = 0) {
     return matchByGate(sightAt(groundRange, azimuth), Interval(groundRange, groundRange),
-                       correction, map, {});
+                       correction, Turn(correction), map, {});
 }
 
 LineMap wallAhead() { return LineMap({{.line = {{4, -3}, {4, 3}}, .sigma = 0.01}}); }
@@ -63,8 +63,8 @@ TEST(WallGate, opensWithTheHeadingByTheLeverOfTheWall) {
     turned.covariance(2, 2) = 0.02 * 0.02;
     const double azimuth = std::numbers::pi / 4, range = 4 * std::sqrt(2.0);
     const WallOffset offset =
-        offsetFrom(map.walls()[0], turned, {{0, 0}, {1, 0}}, sightAt(range, azimuth).middle(),
-                   sightAt(range, azimuth).beam, 0);
+        offsetFrom(map.walls()[0], turned, CorrectedColumn(turned, {{0, 0}, {1, 0}}),
+                   sightAt(range, azimuth).middle(), sightAt(range, azimuth).beam, 0);
     EXPECT_NEAR(offset.sigma, std::hypot(0.01, 0.02 * range * std::sin(azimuth)), 1e-9);
     EXPECT_NEAR(offset.behind, 0, 1e-9);
 }

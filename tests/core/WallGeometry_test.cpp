@@ -108,9 +108,9 @@ TEST(WallGeometry, shareGoesByTheArcsAngle) {
 TEST(WallGeometry, incidenceIsToTheTangent) {
     const Wall wall = quarter();
     const double diagonal = std::sqrt(0.5);
-    EXPECT_NEAR(incidenceOn(wall, {diagonal, diagonal}, {1.2, 1.6}),
+    EXPECT_NEAR(incidenceOn(wall, {diagonal, diagonal}, {1.2, 1.6}).angle(),
                 pi / 2 - (std::atan2(1.6, 1.2) - pi / 4), rounding);
-    EXPECT_NEAR(incidenceOn(wall, {0, 1}, {2 * diagonal, 2 * diagonal}), pi / 4, rounding);
+    EXPECT_NEAR(incidenceOn(wall, {0, 1}, {2 * diagonal, 2 * diagonal}).angle(), pi / 4, rounding);
 }
 
 TEST(WallGeometry, boundsHoldTheBulge) {

@@ -85,7 +85,7 @@ TEST(GridLines, lieNearWhereTraversalEnds) {
             ++otherWall;
             return;
         }
-        const double acrossTheLine = std::abs(hit->range - *expected) * std::sin(hit->incidence);
+        const double acrossTheLine = std::abs(hit->range - *expected) * hit->incidence.sine();
         EXPECT_LE(acrossTheLine, 1.5 * resolution);
     });
     EXPECT_GT(hits, 500U);

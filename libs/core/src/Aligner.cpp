@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Aligner.h"
 
+#include "RootOfSquares.h"
+
 #include <offmap/core/WallGate.h>
 #include <offmap/core/WallGeometry.h>
 #include <offmap/core/WallInformation.h>
@@ -31,19 +33,20 @@ double robustWeight(double distance, double variance) {
 }  // namespace
 
 Aligner::Aligner(std::span<const WallSight> sights, const LineMap& map, const PoseCorrection& prior,
-                 const AlignmentConfig& config)
+                 const AlignmentConfig& config, AlignmentScratch& scratch)
     : sights_(sights),
       map_(map),
       prior_(prior),
       priorInformation_(prior.covariance.inverse()),
-      config_(config) {}
+      config_(config),
+      candidates_(scratch.candidates) {}
 
-/// [m] Bound of what the prior leaves open of a sight's place.
-double Aligner::openAt(const WallSight& sight) const {
+/// [m^2] Bound of what the prior leaves open of a sight's place.
+double Aligner::openVariance(const WallSight& sight) const {
     const TPoint2D reach = sight.place.position + sight.middle().ground - prior_.pivot;
     const Matrix5& c = prior_.covariance;
     const double z = sight.middle().z;
-    return std::sqrt(c(0, 0) + c(1, 1) + reach.sqrNorm() * c(2, 2) + z * z * (c(3, 3) + c(4, 4)));
+    return c(0, 0) + c(1, 1) + reach.sqrNorm() * c(2, 2) + z * z * (c(3, 3) + c(4, 4));
 }
 
 double Aligner::widestOpen() const {
@@ -51,66 +54,88 @@ double Aligner::widestOpen() const {
     const size_t stride = std::max<size_t>(1, sights_.size() / enough);
     double widest = 0;
     for (size_t i = 0; i < sights_.size(); i += stride) {
-        widest = std::max(widest, openAt(sights_[i]));
+        widest = std::max(widest, openVariance(sights_[i]));
     }
-    return widest;
+    return std::sqrt(widest);
 }
 
-std::optional<Candidate> Aligner::candidate(uint32_t index, const PoseCorrection& at,
-                                            double priorShare, bool& fits) const {
+std::optional<SightOnWall> Aligner::candidate(uint32_t index, const CorrectedColumn& column,
+                                              double priorShare, bool& fits) const {
     const WallSight& sight = sights_[index];
-    const CorrectedColumn column(at, sight.place);
     const SeenPoint middle = sight.middle();
     const double gate = config_.gate;
-    const double look =
-        gate * std::hypot(priorShare * openAt(sight), map_.largestSigma(),
-                          sight.rangeSigma.value_or(config_.sigmaRange) + modelError);
+    const double byPrior = priorShare * priorShare * openVariance(sight);
+    const double byMap = map_.largestSigma();
+    const double byRange = sight.rangeSigma.value_or(config_.sigmaRange) + modelError;
+    const double look = gate * std::sqrt(byPrior + byMap * byMap + byRange * byRange);
     const TPoint2D place = column.place(middle);
     const auto near = map_.nearestWall(place, std::min(look, widestLook), sight.heightInMap);
     if (!near) return std::nullopt;
     const Wall& wall = map_.walls()[near->wall];
     const TPoint2D normal = normalAwayFrom(sight.beam, wall, place);
-    const Vector5 gradient = column.gradient(middle, normal);
     const double noise = varianceOfSight(sight, normal, config_) + modelError * modelError;
     const double own = noise + wall.sigma * wall.sigma;
-    const double open = priorShare * priorShare * gradient.dot(prior_.covariance * gradient);
+    double open = 0;
+    if (priorShare > 0) {
+        const Vector5 gradient = column.gradient(middle, normal);
+        open = priorShare * priorShare * gradient.dot(prior_.covariance * gradient);
+    }
     const double squared = near->distance * near->distance;
     if (squared > gate * gate * (own + open)) return std::nullopt;
     fits = squared <= gate * gate * own;
-    return Candidate{near->wall, index, 0.5 * robustWeight(near->distance, own + open) / noise,
-                     normal};
+    return SightOnWall{near->wall, index, 0.5 * robustWeight(near->distance, own + open) / noise,
+                       normal};
 }
 
-NormalEquations Aligner::look(const PoseCorrection& at, double priorShare, size_t mostSights) {
+/// Of every so many sights, by wall. \return [0, 1] how many lie on a wall by themselves
+double Aligner::findCandidates(const PoseCorrection& at, const Turn& turn, double priorShare,
+                               size_t stride) {
     candidates_.clear();
-    const size_t stride = std::max<size_t>(1, sights_.size() / mostSights);
     size_t looked = 0, fitted = 0;
     for (size_t i = 0; i < sights_.size(); i += stride) {
         bool fits = false;
-        const auto found = candidate(static_cast<uint32_t>(i), at, priorShare, fits);
+        const CorrectedColumn column(at, turn, sights_[i].place);
+        const auto found = candidate(static_cast<uint32_t>(i), column, priorShare, fits);
         if (found) candidates_.push_back(*found);
         ++looked;
         if (fits) ++fitted;
     }
-    NormalEquations out{priorInformation_, priorInformation_ * at.mean,
-                        looked > 0 ? static_cast<double>(fitted) / static_cast<double>(looked) : 0};
-    std::ranges::stable_sort(candidates_, {}, &Candidate::wall);
-    for (auto first = candidates_.begin(); first != candidates_.end();) {
-        const Wall& wall = map_.walls()[first->wall];
-        const auto last = std::find_if(first, candidates_.end(),
-                                       [&](const Candidate& c) { return c.wall != first->wall; });
-        WallInformation information;
-        for (; first != last; ++first) {
-            const WallSight& sight = sights_[first->sight];
-            const CorrectedColumn column(at, sight.place);
-            for (const SeenPoint& point : {sight.lower, sight.upper}) {
-                const TPoint2D seen = column.place(point);
-                information.add(column.gradient(point, first->normal), shareAlong(wall, seen),
-                                distanceBehind(seen, wall, first->normal), first->weight);
-            }
+    std::ranges::sort(candidates_, {}, [](const SightOnWall& candidate) {
+        return std::pair(candidate.wall, candidate.sight);
+    });
+    return looked > 0 ? static_cast<double>(fitted) / static_cast<double>(looked) : 0;
+}
+
+/// What the sights of one wall tell.
+void Aligner::addWall(std::span<const SightOnWall> candidates, const PoseCorrection& at,
+                      const Turn& turn, NormalEquations& equations) const {
+    const Wall& wall = map_.walls()[candidates.front().wall];
+    WallInformation information;
+    for (const SightOnWall& candidate : candidates) {
+        const WallSight& sight = sights_[candidate.sight];
+        const CorrectedColumn column(at, turn, sight.place);
+        for (const SeenPoint& point : {sight.lower, sight.upper}) {
+            const TPoint2D seen = column.place(point);
+            information.add(column.gradient(point, candidate.normal), shareAlong(wall, seen),
+                            distanceBehind(seen, wall, candidate.normal), candidate.weight);
         }
-        constexpr double leastSigma = 1e-3;  // [m] a map is not exact, whatever it says
-        information.marginalise(std::max(wall.sigma, leastSigma), out.information, out.slope);
+    }
+    constexpr double leastSigma = 1e-3;  // [m] a map is not exact, whatever it says
+    information.marginalise(std::max(wall.sigma, leastSigma), equations.information,
+                            equations.slope);
+}
+
+NormalEquations Aligner::look(const PoseCorrection& at, double priorShare, size_t mostSights) {
+    const Turn turn(at);
+    const size_t stride = std::max<size_t>(1, sights_.size() / mostSights);
+    const double fitted = findCandidates(at, turn, priorShare, stride);
+    NormalEquations out{priorInformation_, priorInformation_ * at.mean, fitted};
+    const std::span<const SightOnWall> candidates = candidates_;
+    for (size_t first = 0; first < candidates.size();) {
+        size_t last = first;
+        while (last < candidates.size() && candidates[last].wall == candidates[first].wall) ++last;
+        addWall(candidates.subspan(first, last - first), at, turn, out);
+        first = last;
     }
     return out;
 }
@@ -136,7 +161,7 @@ Alignment Aligner::run(double turn) {
     Alignment out;
     out.correction = prior_;
     out.correction.mean[2] = turn;
-    const double closest = 0.5 * std::hypot(map_.largestSigma(), modelError);
+    const double closest = 0.5 * rootOfSquares(map_.largestSigma(), modelError);
     const double open = widestOpen();
     for (double share = 1; share * open > closest; share *= shrinking) step(out, share, fewSights);
     for (int i = 0; i < mostSteps && !out.converged; ++i) {
@@ -152,10 +177,11 @@ double Aligner::throughShare(const PoseCorrection& at) const {
     constexpr size_t enough = 200;   // of the sights
     constexpr double clearly = 0.3;  // [m]
     const size_t stride = std::max<size_t>(1, sights_.size() / enough);
+    const Turn turn(at);
     size_t looked = 0, through = 0;
     for (size_t i = 0; i < sights_.size(); i += stride) {
         const WallSight& sight = sights_[i];
-        const CorrectedColumn column(at, sight.place);
+        const CorrectedColumn column(at, turn, sight.place);
         const TPoint2D from = column.place({{0, 0}, 0});
         const TPoint2D ray = column.place(sight.middle()) - from;
         const double range = ray.norm();

@@ -4,6 +4,7 @@
 #include <offmap/core/Alignment.h>
 #include <offmap/core/LineMap.h>
 #include <offmap/core/ReductionConfig.h>
+#include <offmap/core/ScanAlignment.h>
 #include <offmap/core/WallSight.h>
 
 #include <optional>
@@ -19,19 +20,11 @@ struct NormalEquations {
     double fittedShare = 0;
 };
 
-/// A sight that may be of a wall.
-struct Candidate {
-    uint32_t wall;
-    uint32_t sight;
-    double weight;  // [1/m^2]
-    mrpt::math::TPoint2D normal;
-};
-
 /// The search for a scan's most probable poses, from one beginning.
 class Aligner {
  public:
     Aligner(std::span<const WallSight> sights, const LineMap& map, const PoseCorrection& prior,
-            const AlignmentConfig& config);
+            const AlignmentConfig& config, AlignmentScratch& scratch);
 
     /// \param turn [rad] of the heading to begin with
     Alignment run(double turn);
@@ -40,10 +33,14 @@ class Aligner {
     double throughShare(const PoseCorrection& at) const;
 
  private:
-    double openAt(const WallSight& sight) const;
+    double openVariance(const WallSight& sight) const;
     double widestOpen() const;
-    std::optional<Candidate> candidate(uint32_t index, const PoseCorrection& at, double priorShare,
-                                       bool& fits) const;
+    std::optional<SightOnWall> candidate(uint32_t index, const CorrectedColumn& column,
+                                         double priorShare, bool& fits) const;
+    double findCandidates(const PoseCorrection& at, const Turn& turn, double priorShare,
+                          size_t stride);
+    void addWall(std::span<const SightOnWall> candidates, const PoseCorrection& at,
+                 const Turn& turn, NormalEquations& equations) const;
     NormalEquations look(const PoseCorrection& at, double priorShare, size_t mostSights);
     Vector5 step(Alignment& out, double priorShare, size_t mostSights);
 
@@ -52,7 +49,7 @@ class Aligner {
     const PoseCorrection& prior_;
     Matrix5 priorInformation_;
     const AlignmentConfig& config_;
-    std::vector<Candidate> candidates_;
+    std::vector<SightOnWall>& candidates_;
 };
 
 }  // namespace offmap::core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BentWall.h"
 
+#include "RootOfSquares.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +36,7 @@ double BentWall::length() const { return 2 * std::asin(sine_) / curvature_; }
 double BentWall::leftOf(const TPoint2D& place) const {
     const TPoint2D p = toLocal(place);
     const double outside = curvature_ * (p.x * p.x + p.y * p.y - half_ * half_) - 2 * cosine_ * p.y;
-    return -outside / (std::hypot(curvature_ * p.x, cosine_ - curvature_ * p.y) + 1);
+    return -outside / (rootOfSquares(curvature_ * p.x, cosine_ - curvature_ * p.y) + 1);
 }
 
 TPoint2D BentWall::leftNormal(const TPoint2D& place) const {

@@ -22,29 +22,35 @@ class FootOfTheWall {
     FootOfTheWall(const ReturnOffsets& offsets, const VerticalSegment& segment, uint32_t wall)
         : offsets_(offsets),
           segment_(segment),
-          atWall_(offsets, segment, wall),
-          segmentBehind_(atWall_.behind(middleOf(segment))) {}
+          wall_(wall),
+          column_(offsets.corrected(segment.column)) {}
 
     /// Keeps returns from one end inwards. \param next the return beside that end
     void keep(uint32_t next, uint32_t first, int inwards, std::span<PointLabel> labels) const {
-        const SeenPoint beside = offsets_.seen(next);
+        if (!mayBeOneSurface(first, next)) return;  // so it is mostly
+        const SegmentAtWall atWall(offsets_, segment_, wall_);
+        const double segmentBehind = atWall.behind(middleOf(segment_));
         for (uint32_t i = first; i - segment_.begin < segment_.end - segment_.begin;
              i += static_cast<uint32_t>(inwards)) {
-            const SeenPoint here = offsets_.seen(i);
-            const bool level =
-                std::abs(atWall_.height(here) - atWall_.height(beside)) < levelTolerance;
-            const bool apart = std::abs(here.ground.norm() - beside.ground.norm()) > leastStep;
-            const double before = segmentBehind_ - atWall_.behind(here);
-            if (!level || !apart || before < clearlyBefore * offsets_.sigmaRange(i)) return;
+            const double before = segmentBehind - atWall.behind(offsets_.seen(i));
+            if (!mayBeOneSurface(i, next) || before < clearlyBefore * offsets_.sigmaRange(i))
+                return;
             labels[i] = PointLabel::Kept;
         }
     }
 
  private:
+    /// Whether two returns are of one level and yet apart.
+    bool mayBeOneSurface(uint32_t i, uint32_t next) const {
+        const double rise = column_.height(offsets_.seen(i)) - column_.height(offsets_.seen(next));
+        return std::abs(rise) < levelTolerance &&
+               std::abs(offsets_.groundRange(i) - offsets_.groundRange(next)) > leastStep;
+    }
+
     const ReturnOffsets& offsets_;
     const VerticalSegment& segment_;
-    SegmentAtWall atWall_;
-    double segmentBehind_;  // [m] its middle, behind the wall
+    uint32_t wall_;
+    CorrectedColumn column_;
 };
 
 }  // namespace

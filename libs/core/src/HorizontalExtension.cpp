@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "RootOfSquares.h"
+
 #include <offmap/core/HorizontalExtension.h>
 
 #include <algorithm>
@@ -129,9 +131,9 @@ bool Extender::extendInto(HorizontalLine& line, uint32_t column) {
 bool Extender::mapConsents(uint32_t s) const {
     const VerticalSegment& segment = segments_[s];
     const Viewpoint& viewpoint = *viewpoints_[segment.column];
-    const double bySigmas =
-        config_.matching.sigmaFactor *
-        std::hypot(viewpoint.ellipse.semiMajor(), viewpoint.sigmaHeading * segment.centre.norm());
+    const double bySigmas = config_.matching.sigmaFactor *
+                            rootOfSquares(viewpoint.ellipse.semiMajor(),
+                                          viewpoint.sigmaHeading * segment.centre.norm());
     const double tolerance =
         config_.extension.maxPointToLine + std::min(bySigmas, config_.matching.maxPositionRadius);
     const double z = viewpoint.height + 0.5 * (segment.bottom.y + segment.top.y);

@@ -95,7 +95,7 @@ std::optional<RayHit> LineMap::castRay(const TPoint2D& origin, const TPoint2D& d
             // not.
             if (!nearest || *range < nearest->range ||
                 (*range == nearest->range && wall < nearest->wall)) {
-                nearest = RayHit{*range, wall, 0};
+                nearest = RayHit{*range, wall, {}};
             }
         });
         if (nearest && nearest->range <= to) break;

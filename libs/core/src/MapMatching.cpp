@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "RootOfSquares.h"
+
 #include <offmap/core/MapMatching.h>
 
 #include <cmath>
@@ -17,7 +19,7 @@ TPoint2D rotated(const TPoint2D& direction, double angle) {
 /// Standard deviation of a wall's predicted ground range: position and map, which err
 /// independently.
 double sigmaOfPrediction(const Viewpoint& viewpoint, const TPoint2D& direction, const Wall& wall) {
-    return std::hypot(viewpoint.ellipse.radius(direction), wall.sigma);
+    return rootOfSquares(viewpoint.ellipse.radius(direction), wall.sigma);
 }
 
 Interval predictedInterval(const RayHit& hit, double sigma, const MatchingConfig& config) {
@@ -82,7 +84,7 @@ SegmentMatch matchByRay(const VerticalSegment& segment, const Interval& measured
         match.predicted = predictedInterval(*hit, sigma, config);
         // What the measured interval is wide stands for the noise of the sensor and the mounting.
         const double sigmaMeasured = 0.5 * measured.width() / std::max(config.sigmaFactor, 1.0);
-        const double total = std::hypot(sigma, sigmaMeasured);
+        const double total = rootOfSquares(sigma, sigmaMeasured);
         match.residual = total > 0 ? (measured.centre() - hit->range) / total : 0;
         if (match.predicted->intersects(measured)) {  // eq. 7, corrected
             match.verdict = Verdict::MappedByRay;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "RootOfSquares.h"
+
 #include <offmap/core/PoseCorrection.h>
 
 #include <cmath>
@@ -24,7 +26,7 @@ ColumnPlace placeOf(const mrpt::poses::CPose3D& sensorInMap,
         x += inMap(0, k) * mounting(0, k);
         y += inMap(1, k) * mounting(0, k);
     }
-    const double norm = std::hypot(x, y);
+    const double norm = rootOfSquares(x, y);
     const TPoint2D along = norm > 0 ? TPoint2D(x / norm, y / norm) : TPoint2D(1, 0);
     return {{sensorInMap.x(), sensorInMap.y()}, along};
 }
@@ -53,8 +55,12 @@ void placesOf(const OrganizedScan& scan, std::vector<ColumnPlace>& places) {
     }
 }
 
-CorrectedColumn::CorrectedColumn(const PoseCorrection& correction, const ColumnPlace& column)
-    : cosine_(std::cos(correction.mean[2])), sine_(std::sin(correction.mean[2])) {
+Turn::Turn(const PoseCorrection& correction)
+    : cosine(std::cos(correction.mean[2])), sine(std::sin(correction.mean[2])) {}
+
+CorrectedColumn::CorrectedColumn(const PoseCorrection& correction, const Turn& turn,
+                                 const ColumnPlace& column)
+    : cosine_(turn.cosine), sine_(turn.sine) {
     const TPoint2D along = column.vehicleAlong, across = left(along);
     const double leanX = correction.mean[3], leanY = correction.mean[4];
     centre_ = correction.pivot + TPoint2D(correction.mean[0], correction.mean[1]);
@@ -70,6 +76,13 @@ Vector5 CorrectedColumn::gradient(const SeenPoint& point, const TPoint2D& normal
     out << normal.x, normal.y, dot(normal, left(place(point) - centre_)),
         point.z * dot(normal, perLeanX_), point.z * dot(normal, perLeanY_);
     return out;
+}
+
+LinearDistance CorrectedColumn::distanceBehind(const TPoint2D& through,
+                                               const TPoint2D& normal) const {
+    return {dot(normal, sensor_ - through),
+            {cosine_ * normal.x + sine_ * normal.y, cosine_ * normal.y - sine_ * normal.x},
+            dot(normal, leanPerHeight_)};
 }
 
 TPoint2D PoseCorrection::apply(const ColumnPlace& column, const SeenPoint& point) const {

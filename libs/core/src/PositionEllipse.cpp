@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "RootOfSquares.h"
+
 #include <offmap/core/PositionEllipse.h>
 
 #include <algorithm>
@@ -9,18 +11,22 @@ namespace offmap::core {
 PositionEllipse::PositionEllipse(const Eigen::Matrix2d& covariance) {
     const double mean = 0.5 * (covariance(0, 0) + covariance(1, 1));
     const double difference = 0.5 * (covariance(0, 0) - covariance(1, 1));
-    const double spread = std::hypot(difference, covariance(0, 1));
+    const double spread = rootOfSquares(difference, covariance(0, 1));
     a_ = std::sqrt(std::max(mean + spread, 0.0));
     b_ = std::sqrt(std::max(mean - spread, 0.0));
-    const double angle = 0.5 * std::atan2(covariance(0, 1), difference);
-    majorAxis_ = {std::cos(angle), std::sin(angle)};
+    // At half the angle of (difference, covariance), from the larger component.
+    const double larger = spread + std::abs(difference), smaller = covariance(0, 1);
+    const double norm = rootOfSquares(larger, smaller);
+    if (!(norm > 0)) return;  // a circle: any axis is
+    majorAxis_ = difference >= 0 ? mrpt::math::TPoint2D(larger, smaller) * (1 / norm)
+                                 : mrpt::math::TPoint2D(smaller, larger) * (1 / norm);
 }
 
 double PositionEllipse::radius(const mrpt::math::TPoint2D& direction) const {
     const double cosKappa = direction.x * majorAxis_.x + direction.y * majorAxis_.y;
     const double sinKappa = direction.x * majorAxis_.y - direction.y * majorAxis_.x;
     // Eq. 6 multiplied out, which also serves a circle of no size and an ellipse of no width.
-    const double denominator = std::hypot(a_ * sinKappa, b_ * cosKappa);
+    const double denominator = rootOfSquares(a_ * sinKappa, b_ * cosKappa);
     if (denominator > 0) return a_ * b_ / denominator;
     return a_;  // along an ellipse of no width, or a_ == 0
 }

@@ -23,6 +23,8 @@ struct Reducer::Workspace {
     ExtensionScratch extension;
     std::vector<ColumnPlace> places;
     std::vector<WallSight> sights;
+    AlignmentScratch alignment;
+    LooseReturnsScratch looseReturns;
     ReductionResult result;
 
     void findViewpoints(const OrganizedScan& scan, const LineMap& map,
@@ -100,7 +102,8 @@ std::optional<PoseCorrection> Reducer::Workspace::correct(const OrganizedScan& s
     if (config.matching.method == MatchingMethod::Probabilistic || result.notReduced) {
         return uncorrected(pivot, first.groundCovariance, config.alignment);
     }
-    result.alignment = align(sights, map, pivot, first.groundCovariance, config.alignment);
+    result.alignment =
+        align(sights, map, pivot, first.groundCovariance, config.alignment, alignment);
     if (result.alignment->fits(config.alignment.minFittedShare))
         return result.alignment->correction;
     result.notReduced = PoseFault::DoesNotFit;
@@ -109,9 +112,10 @@ std::optional<PoseCorrection> Reducer::Workspace::correct(const OrganizedScan& s
 
 void Reducer::Workspace::matchByGates(const PoseCorrection& correction, const LineMap& map,
                                       const ReductionConfig& config) {
+    const Turn turn(correction);
     for (const WallSight& sight : sights) {
         SegmentMatch& match = result.matches[sight.segment];
-        match = matchByGate(sight, match.measured, correction, map, config);
+        match = matchByGate(sight, match.measured, correction, turn, map, config);
     }
 }
 
@@ -136,7 +140,8 @@ Reducer::~Reducer() = default;
 Reducer::Reducer(Reducer&&) noexcept = default;
 
 const ReductionResult& Reducer::reduce(const OrganizedScan& scan) {
-    auto& [levelled, splitting, viewpoints, byColumn, extension, places, sights, result] = *work_;
+    auto& [levelled, splitting, viewpoints, byColumn, extension, places, sights, alignment,
+           looseReturns, result] = *work_;
     result.alignment.reset();
     level(scan, levelled);
     findVerticalSegments(scan, levelled, config_.vertical, splitting,
@@ -153,7 +158,8 @@ const ReductionResult& Reducer::reduce(const OrganizedScan& scan) {
 
 /// As the paper does it.
 void Reducer::reduceByRays(const OrganizedScan& scan) {
-    auto& [levelled, splitting, viewpoints, byColumn, extension, places, sights, result] = *work_;
+    auto& [levelled, splitting, viewpoints, byColumn, extension, places, sights, alignment,
+           looseReturns, result] = *work_;
     const ColumnRing ring(scan);
     work_->matchByRays(map_, config_);  // eqs. 1, 6, 7
     byColumn.build(result.segments, viewpoints);
@@ -182,7 +188,7 @@ void Reducer::reduceByGates(const OrganizedScan& scan) {
     if (!correction) return;
     const ReturnOffsets offsets(scan, work_->levelled, work_->places, *correction, map_,
                                 config_.alignment);
-    labelLooseReturns(offsets, result.segments, result.matches, result.labels);
+    labelLooseReturns(offsets, result.segments, result.matches, work_->looseReturns, result.labels);
     keepRunsOffTheWall(offsets, result.segments, result.matches, result.labels);
     keepFloorAtTheFoot(offsets, result.segments, result.matches, result.labels);
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Lanes.h"
+#include "RootOfSquares.h"
 #include "SegmentAtWall.h"
 
 #include <algorithm>
@@ -36,8 +38,27 @@ bool standsOff(const Run& run, uint32_t count, double common, const ReturnOffset
     const double sigmaRange = sigmaOf(run, count, offsets);
     const double own = sigmaRange / std::sqrt(count);
     // Being on one side is what makes a run: its mean is off by up to a sigma of noise.
-    const double limit = offsets.config().gate * std::hypot(common, own) + sigmaRange;
+    const double limit = offsets.config().gate * rootOfSquares(common, own) + sigmaRange;
     return std::abs(run.sum) / count > limit;
+}
+
+/// Whether no run of a segment can stand off the wall, because not one of its returns does. Tells
+/// so of most, at the cost of a glance.
+bool allNear(const SegmentAtWall& atWall, const VerticalSegment& segment, uint32_t wall,
+             const ReturnOffsets& offsets) {
+    if (!atWall.isStraight()) return false;
+    const LevelledScan& levelled = offsets.levelled();
+    const uint32_t begin = segment.begin, count = segment.end - begin;
+    const auto x = arrayOf(std::span(levelled.x).subspan(begin, count));
+    const auto y = arrayOf(std::span(levelled.y).subspan(begin, count));
+    const auto z = arrayOf(std::span(levelled.z).subspan(begin, count));
+    const auto& [ofSensor, perGround, perHeight] = atWall.linear();
+    const double furthest =
+        (ofSensor + perGround.x * x + perGround.y * y + perHeight * z).abs().maxCoeff();
+    // What standsOff() asks for, at least.
+    constexpr double rounding = 1e-9;  // [m]
+    const double leastSigma = offsets.scan().rangeSigma.empty() ? offsets.config().sigmaRange : 0;
+    return furthest + rounding < offsets.config().gate * offsets.wall(wall).sigma + leastSigma;
 }
 
 }  // namespace
@@ -46,6 +67,7 @@ void keepRunsOffTheWall(const ReturnOffsets& offsets, std::span<const VerticalSe
                         std::span<const SegmentMatch> matches, std::span<PointLabel> labels) {
     forEachRemoved(segments, matches, [&](const VerticalSegment& segment, uint32_t wall) {
         const SegmentAtWall atWall(offsets, segment, wall);
+        if (allNear(atWall, segment, wall, offsets)) return;
         const double common = offsets.commonSigma(segment, wall);
         Run run;
         const auto end = [&](uint32_t at) {

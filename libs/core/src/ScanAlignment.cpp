@@ -52,7 +52,8 @@ PoseCorrection uncorrected(const TPoint2D& pivot, const Eigen::Matrix3d& stated,
 }
 
 Alignment align(std::span<const WallSight> sights, const LineMap& map, const TPoint2D& pivot,
-                const Eigen::Matrix3d& stated, const AlignmentConfig& config) {
+                const Eigen::Matrix3d& stated, const AlignmentConfig& config,
+                AlignmentScratch& scratch) {
     constexpr double somewhatMore = 0.02, clearlyMore = 0.1, nearlyAll = 0.8;  // of the sights
     // [rad] A heading less certain is begun with from several sides: far walls are then out of
     // sight of where the prior puts them.
@@ -63,11 +64,12 @@ Alignment align(std::span<const WallSight> sights, const LineMap& map, const TPo
     double widestBetter = 1;  // inflation with which more sights fit, if not clearly more
     for (const double inflation : {1.0, 3.0, 8.0}) {
         if (inflation == 3.0 && best.fittedShare > nearlyAll) continue;
+        if (best.fittedShare >= 1 - somewhatMore) break;  // nothing could fit better
         const PoseCorrection own = uncorrected(pivot, inflation * inflation * stated, config);
         const double sigmaHeading = std::sqrt(own.covariance(2, 2));
         for (const double turn : {0.0, -1.0, 1.0, -2.0, 2.0}) {
             if (turn != 0 && (best.fittedShare > 0.5 || sigmaHeading < uncertainHeading)) break;
-            Alignment tried = Aligner(sights, map, own, config).run(turn * sigmaHeading);
+            Alignment tried = Aligner(sights, map, own, config, scratch).run(turn * sigmaHeading);
             tried.priorInflation = inflation;
             const Eigen::Vector3d moved = tried.correction.mean.head<3>();
             tried.priorChiSquare = moved.dot(prior.solve(moved));
@@ -83,7 +85,8 @@ Alignment align(std::span<const WallSight> sights, const LineMap& map, const TPo
     }
     // Not clearly enough to move there, but to doubt the pose: an end of a corridor tells little.
     best.priorInflation = std::max(best.priorInflation, widestBetter);
-    best.throughShare = Aligner(sights, map, best.correction, config).throughShare(best.correction);
+    best.throughShare =
+        Aligner(sights, map, best.correction, config, scratch).throughShare(best.correction);
     return best;
 }
 

@@ -17,20 +17,25 @@ class SegmentAtWall {
         : wall_(offsets.wall(wall)),
           column_(offsets.corrected(segment.column)),
           normal_(
-              normalAwayFrom(segment.centre, wall_, column_.place(offsets.seen(segment.begin)))) {}
+              normalAwayFrom(segment.centre, wall_, column_.place(offsets.seen(segment.begin)))),
+          linear_(column_.distanceBehind(wall_.line.point1, normal_)) {}
+
+    bool isStraight() const { return wall_.curvature == 0; }
 
     /// [m] From the wall, negative in front of it.
     double behind(const SeenPoint& seen) const {
+        if (isStraight()) return linear_.of(seen);
         return distanceBehind(column_.place(seen), wall_, normal_);
     }
 
-    /// [m] Above the sensor, with the lean undone.
-    double height(const SeenPoint& seen) const { return column_.height(seen); }
+    /// behind() of a straight wall.
+    const LinearDistance& linear() const { return linear_; }
 
  private:
     const Wall& wall_;
     CorrectedColumn column_;
     mrpt::math::TPoint2D normal_;
+    LinearDistance linear_;
 };
 
 /// Calls visit(segment, wall index) for each segment that was removed with a wall.

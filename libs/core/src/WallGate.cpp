@@ -42,12 +42,12 @@ double varianceOfSight(const WallSight& sight, const TPoint2D& normal,
     return along * along / std::min(sight.returns, countedReturns);
 }
 
-WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction, const ColumnPlace& column,
-                      const SeenPoint& point, const TPoint2D& beam, double noise) {
-    const CorrectedColumn corrected(correction, column);
-    const TPoint2D place = corrected.place(point);
+WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction,
+                      const CorrectedColumn& column, const SeenPoint& point, const TPoint2D& beam,
+                      double noise) {
+    const TPoint2D place = column.place(point);
     const TPoint2D normal = normalAwayFrom(beam, wall, place);
-    const Vector5 gradient = corrected.gradient(point, normal);
+    const Vector5 gradient = column.gradient(point, normal);
     const double across = dot(normal, beam);
     const double variance = gradient.dot(correction.covariance * gradient) +
                             wall.sigma * wall.sigma + across * across * noise;
@@ -57,9 +57,9 @@ WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction, const 
 namespace {
 
 /// What a ray through the segment tells of one that stands on no wall.
-void explainKept(const WallSight& sight, const PoseCorrection& correction, const LineMap& map,
-                 const ReductionConfig& config, SegmentMatch& match) {
-    const CorrectedColumn column(correction, sight.place);
+void explainKept(const WallSight& sight, const PoseCorrection& correction,
+                 const CorrectedColumn& column, const LineMap& map, const ReductionConfig& config,
+                 SegmentMatch& match) {
     const TPoint2D from = column.place({{0, 0}, 0});
     TPoint2D ray = column.place(sight.middle()) - from;
     const double range = ray.norm();
@@ -70,26 +70,26 @@ void explainKept(const WallSight& sight, const PoseCorrection& correction, const
     if (!hit) return;
     match.wall = hit->wall;
     match.reason = range < hit->range ? KeepReason::InFrontOfWall : KeepReason::BehindWall;
-    const double across = std::sin(hit->incidence);
-    const WallOffset offset =
-        offsetFrom(map.walls()[hit->wall], correction, sight.place, sight.middle(), sight.beam,
-                   noiseOf(sight, config.alignment));
+    const double across = hit->incidence.sine();
+    const WallOffset offset = offsetFrom(map.walls()[hit->wall], correction, column, sight.middle(),
+                                         sight.beam, noiseOf(sight, config.alignment));
     predict((range - hit->range) * across, offset.sigma, across, config.alignment.gate, match);
 }
 
 }  // namespace
 
 SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
-                         const PoseCorrection& correction, const LineMap& map,
+                         const PoseCorrection& correction, const Turn& turn, const LineMap& map,
                          const ReductionConfig& config) {
     SegmentMatch match;
+    const CorrectedColumn column(correction, turn, sight.place);
     match.measured = measured;
-    const TPoint2D place = correction.apply(sight.place, sight.middle());
+    const TPoint2D place = column.place(sight.middle());
     const auto near = map.nearestWall(place, widestGate, sight.heightInMap);
     if (near) {
         const Wall& wall = map.walls()[near->wall];
-        const WallOffset offset = offsetFrom(wall, correction, sight.place, sight.middle(),
-                                             sight.beam, noiseOf(sight, config.alignment));
+        const WallOffset offset = offsetFrom(wall, correction, column, sight.middle(), sight.beam,
+                                             noiseOf(sight, config.alignment));
         const double gate = config.alignment.gate;
         if (offset.distance <= gate * offset.sigma) {
             const double across = dot(normalAwayFrom(sight.beam, wall, place), sight.beam);
@@ -100,7 +100,7 @@ SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
             return match;
         }
     }
-    explainKept(sight, correction, map, config, match);
+    explainKept(sight, correction, column, map, config, match);
     return match;
 }
 

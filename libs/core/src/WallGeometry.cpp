@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BentWall.h"
+#include "RootOfSquares.h"
 
 #include <offmap/core/WallGeometry.h>
 
@@ -66,7 +67,12 @@ double lengthOf(const Wall& wall) {
 }
 
 double distanceTo(const Wall& wall, const TPoint2D& place) {
-    if (isStraight(wall)) return wall.line.distance(place);
+    if (isStraight(wall)) {
+        const TPoint2D along = wall.line.point2 - wall.line.point1;
+        const TPoint2D from = place - wall.line.point1;
+        const double share = std::clamp(dot(from, along) / along.sqrNorm(), 0.0, 1.0);
+        return std::sqrt((from - along * share).sqrNorm());
+    }
     const BentWall bent(wall);
     if (bent.facesArc(place)) return std::abs(bent.leftOf(place));
     return std::min((place - wall.line.point1).norm(), (place - wall.line.point2).norm());
@@ -104,15 +110,20 @@ std::optional<double> rangeTo(const Wall& wall, const TPoint2D& origin, const TP
     return rangeToBent(BentWall(wall), ends, origin, direction);
 }
 
-double incidenceOn(const Wall& wall, const TPoint2D& direction, const TPoint2D& place) {
+Incidence incidenceOn(const Wall& wall, const TPoint2D& direction, const TPoint2D& place) {
     TPoint2D along = wall.line.point2 - wall.line.point1;
     if (!isStraight(wall)) {
         const TPoint2D normal = BentWall(wall).leftNormal(place);
         along = {normal.y, -normal.x};
     }
-    const double sine = std::abs(direction.x * along.y - direction.y * along.x);
-    const double cosine = std::abs(direction.x * along.x + direction.y * along.y);
-    return std::max(std::atan2(sine, cosine), std::numeric_limits<double>::min());
+    return {std::abs(direction.x * along.y - direction.y * along.x),
+            std::abs(direction.x * along.x + direction.y * along.y)};
+}
+
+double Incidence::sine() const { return across / rootOfSquares(across, along); }
+
+double Incidence::angle() const {
+    return std::max(std::atan2(across, along), std::numeric_limits<double>::min());
 }
 
 WallBounds boundsOf(const Wall& wall) {

@@ -76,7 +76,7 @@ void PlanCheck::addOne(const SeenSegment& segment, const TPoint2D* along) {
             .add(stand->behind, segment.height.width(), segment.returns);
     }
     if (!hit || (stand && stand->wall == hit->wall)) return;
-    const double behind = (range - hit->range) * std::sin(hit->incidence);
+    const double behind = (range - hit->range) * hit->incidence.sine();
     if (stand && behind <= config_.gate) return;  // a wall before another one is no thing
     const double share = shareAlong(map_.walls()[hit->wall], segment.sensor + beam * hit->range);
     Bin& bin = binOf(hit->wall, binAt(hit->wall, share));

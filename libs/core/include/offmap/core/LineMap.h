@@ -2,6 +2,7 @@
 #pragma once
 
 #include <offmap/core/Wall.h>
+#include <offmap/core/WallGeometry.h>
 
 #include <mrpt/math/TPoint2D.h>
 
@@ -14,9 +15,9 @@ namespace offmap::core {
 
 /// Where a ray met the map.
 struct RayHit {
-    double range;      ///< [m] ground range from the ray's origin
-    uint32_t wall;     ///< index into LineMap::walls()
-    double incidence;  ///< [rad] rho, between ray and wall, (0, pi/2]
+    double range;         ///< [m] ground range from the ray's origin
+    uint32_t wall;        ///< index into LineMap::walls()
+    Incidence incidence;  ///< rho, between ray and wall
 };
 
 /// The wall nearest to a point.

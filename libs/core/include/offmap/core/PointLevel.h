@@ -9,7 +9,9 @@
 #include <offmap/core/ReductionResult.h>
 #include <offmap/core/WallGate.h>
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace offmap::core {
 
@@ -24,13 +26,18 @@ class ReturnOffsets {
           levelled_(levelled),
           places_(places),
           correction_(correction),
+          turn_(correction),
           map_(map),
           config_(config) {}
 
     SeenPoint seen(uint32_t point) const { return {levelled_.ground(point), levelled_.z[point]}; }
 
+    /// [m] A return's height above the sensor, the lean not undone.
+    double z(uint32_t point) const { return levelled_.z[point]; }
+    double groundRange(uint32_t point) const { return levelled_.range[point]; }  ///< [m]
+
     /// \param column of the return
-    WallOffset of(uint32_t point, uint32_t column, uint32_t wall) const;
+    WallOffset of(uint32_t point, const CorrectedColumn& column, uint32_t wall) const;
 
     /// [m] Of a return's range.
     double sigmaRange(uint32_t point) const {
@@ -41,9 +48,14 @@ class ReturnOffsets {
     /// and map.
     double commonSigma(const VerticalSegment& segment, uint32_t wall) const;
 
-    CorrectedColumn corrected(uint32_t column) const { return {correction_, places_[column]}; }
+    CorrectedColumn corrected(uint32_t column) const {
+        return {correction_, turn_, places_[column]};
+    }
     const Wall& wall(uint32_t index) const { return map_.walls()[index]; }
     const OrganizedScan& scan() const { return scan_; }
+    const LevelledScan& levelled() const { return levelled_; }
+    const PoseCorrection& correction() const { return correction_; }
+    const ColumnPlace& place(uint32_t column) const { return places_[column]; }
     const AlignmentConfig& config() const { return config_; }
 
  private:
@@ -51,14 +63,30 @@ class ReturnOffsets {
     const LevelledScan& levelled_;
     std::span<const ColumnPlace> places_;
     const PoseCorrection& correction_;
+    Turn turn_;
     const LineMap& map_;
     const AlignmentConfig& config_;
+};
+
+/// A wall that segments of a column were removed with, and between which heights.
+struct RemovedWall {
+    uint32_t wall;     ///< index into LineMap::walls()
+    double low, high;  ///< [m] above the sensor
+};
+
+/// Working memory.
+struct LooseReturnsScratch {
+    std::vector<uint32_t> first;         ///< per column, and one more: index of its `removed`
+    std::vector<RemovedWall> removed;    ///< by column
+    std::vector<RemovedWall> near;       ///< of one column and those beside it
+    std::vector<LinearDistance> behind;  ///< of each of `near`
 };
 
 /// Labels as mapped what lies on no vertical segment but on a wall that segments of the same or a
 /// near column were removed with, between their heights: scraps of wall beside an occluder.
 void labelLooseReturns(const ReturnOffsets& offsets, std::span<const VerticalSegment> segments,
-                       std::span<const SegmentMatch> matches, std::span<PointLabel> labels);
+                       std::span<const SegmentMatch> matches, LooseReturnsScratch& scratch,
+                       std::span<PointLabel> labels);
 
 /// Labels as kept each run of returns of a removed segment whose mean stands off the wall by more
 /// than can be by chance: something thin before the wall, that split-and-merge took for it.

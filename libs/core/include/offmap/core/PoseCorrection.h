@@ -47,10 +47,30 @@ struct PoseCorrection {
                      const mrpt::math::TPoint2D& normal) const;
 };
 
+/// Cosine and sine of a correction's turn, which all columns have in common.
+struct Turn {
+    explicit Turn(const PoseCorrection& correction);
+    double cosine, sine;
+};
+
+/// How far behind a straight line stands what a column sees.
+struct LinearDistance {
+    double ofSensor;                 ///< [m]
+    mrpt::math::TPoint2D perGround;  ///< [-]
+    double perHeight;                ///< [-]
+
+    double of(const SeenPoint& point) const {
+        return ofSensor + perGround.x * point.ground.x + perGround.y * point.ground.y +
+               perHeight * point.z;
+    }
+};
+
 /// One column under a correction: as PoseCorrection::apply(), for many points.
 class CorrectedColumn {
  public:
-    CorrectedColumn(const PoseCorrection& correction, const ColumnPlace& column);
+    CorrectedColumn(const PoseCorrection& correction, const ColumnPlace& column)
+        : CorrectedColumn(correction, Turn(correction), column) {}
+    CorrectedColumn(const PoseCorrection& correction, const Turn& turn, const ColumnPlace& column);
 
     /// Place in the map [m] of what the column sees, to first order in the lean.
     mrpt::math::TPoint2D place(const SeenPoint& point) const {
@@ -64,6 +84,10 @@ class CorrectedColumn {
 
     /// Derivative of place() across a wall with the given unit normal.
     Vector5 gradient(const SeenPoint& point, const mrpt::math::TPoint2D& normal) const;
+
+    /// Of what is seen, from a line through a place in the map. \param normal unit vector
+    LinearDistance distanceBehind(const mrpt::math::TPoint2D& through,
+                                  const mrpt::math::TPoint2D& normal) const;
 
  private:
     mrpt::math::TPoint2D turned(const mrpt::math::TPoint2D& p) const {

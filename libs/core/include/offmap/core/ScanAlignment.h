@@ -7,9 +7,24 @@
 #include <offmap/core/ReductionConfig.h>
 #include <offmap/core/WallSight.h>
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace offmap::core {
+
+/// A sight that may be of a wall.
+struct SightOnWall {
+    uint32_t wall;   ///< index into LineMap::walls()
+    uint32_t sight;  ///< index among the sights
+    double weight;   ///< [1/m^2]
+    mrpt::math::TPoint2D normal;
+};
+
+/// Working memory.
+struct AlignmentScratch {
+    std::vector<SightOnWall> candidates;
+};
 
 /// The correction that the stated covariance alone allows: none, with its uncertainty.
 /// \param stated covariance of x, y [m] and heading [rad] at the pivot
@@ -23,6 +38,6 @@ PoseCorrection uncorrected(const mrpt::math::TPoint2D& pivot, const Eigen::Matri
 /// of itself.
 Alignment align(std::span<const WallSight> sights, const LineMap& map,
                 const mrpt::math::TPoint2D& pivot, const Eigen::Matrix3d& stated,
-                const AlignmentConfig& config);
+                const AlignmentConfig& config, AlignmentScratch& scratch);
 
 }  // namespace offmap::core

@@ -24,13 +24,14 @@ struct WallOffset {
 };
 
 /// \param noise [m^2] variance of the place along the beam
-WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction, const ColumnPlace& column,
-                      const SeenPoint& point, const mrpt::math::TPoint2D& beam, double noise);
+WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction,
+                      const CorrectedColumn& column, const SeenPoint& point,
+                      const mrpt::math::TPoint2D& beam, double noise);
 
 /// Matches a segment to the wall nearest to where the corrected pose puts it; it is mapped if it
-/// stands within the gate.
+/// stands within the gate. \param turn of the correction
 SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
-                         const PoseCorrection& correction, const LineMap& map,
+                         const PoseCorrection& correction, const Turn& turn, const LineMap& map,
                          const ReductionConfig& config);
 
 }  // namespace offmap::core

@@ -37,9 +37,17 @@ double distanceBehind(const mrpt::math::TPoint2D& place, const Wall& wall,
 std::optional<double> rangeTo(const Wall& wall, const mrpt::math::TPoint2D& origin,
                               const mrpt::math::TPoint2D& direction);
 
-/// [rad] Between a ray and the wall at the place where they meet, (0, pi/2].
-double incidenceOn(const Wall& wall, const mrpt::math::TPoint2D& direction,
-                   const mrpt::math::TPoint2D& place);
+/// The angle between a ray and a wall, kept as a pair until somebody asks for it.
+struct Incidence {
+    double across, along;  ///< [-] in the ratio of its sine to its cosine, both >= 0
+
+    double angle() const;  ///< [rad] (0, pi/2]
+    double sine() const;   ///< [0, 1]
+};
+
+/// At the place where a ray and the wall meet.
+Incidence incidenceOn(const Wall& wall, const mrpt::math::TPoint2D& direction,
+                      const mrpt::math::TPoint2D& place);
 
 /// The smallest rectangle along the axes that holds the wall.
 struct WallBounds {
