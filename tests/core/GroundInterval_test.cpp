@@ -16,8 +16,8 @@ constexpr double degree = mrpt::DEG2RAD(1.0);
 LevelledScan levelledOf(const std::vector<mrpt::math::TPoint2D>& profile) {
     LevelledScan levelled;
     for (const auto& [range, z] : profile) {
-        levelled.range.push_back(range);
-        levelled.z.push_back(z);
+        levelled.range.push_back(static_cast<float>(range));
+        levelled.z.push_back(static_cast<float>(z));
     }
     return levelled;
 }
@@ -39,7 +39,8 @@ TEST(GroundInterval, wallOfThreeMetresSeenFromTheGroundErrsByTenCentimetres) {
 }
 
 TEST(GroundInterval, spansThePointsWhereTheMountingIsUpright) {
-    EXPECT_EQ(intervalOf({{4.97, -1}, {5.02, 0}, {4.99, 1}}, 0), Interval(4.97, 5.02));  // eq. 3
+    const Interval interval = intervalOf({{4.97, -1}, {5.02, 0}, {4.99, 1}}, 0);
+    EXPECT_EQ(interval, Interval(4.97F, 5.02F));  // eq. 3
 }
 
 TEST(GroundInterval, endFurthestAboveOrBelowTheSensorCounts) {

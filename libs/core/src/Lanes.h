@@ -1,34 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <offmap/core/PlanePoints.h>
-
 #include <Eigen/Core>
 
+#include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace offmap::core {
 
-/// Numbers that are worked on together. So many whatever the machine, so that sums come out alike
-/// on all.
-inline constexpr Eigen::Index laneCount = 4;
-using Lanes = Eigen::Array<double, laneCount, 1>;
+/// Numbers that are compared together: one register of AVX, two of SSE. So many whatever the
+/// machine, so that all come to the same.
+inline constexpr uint32_t laneCount = 8;
+using Lanes [[gnu::vector_size(laneCount * sizeof(float))]] = float;
+using LaneNumbers [[gnu::vector_size(laneCount * sizeof(int32_t))]] = int32_t;
 
-inline auto lanesAt(const double* values) { return Eigen::Map<const Lanes>(values); }
+[[gnu::always_inline]] inline void load(const float* values, Lanes& lanes) {
+    std::memcpy(&lanes, values, sizeof lanes);
+}
+
+/// The greatest or least of all lanes ends up in each.
+[[gnu::always_inline]] inline void spreadGreatest(Lanes& v) {
+    const Lanes halves = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
+    v = halves > v ? halves : v;
+    const Lanes quarters = __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
+    v = quarters > v ? quarters : v;
+    const Lanes eighths = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
+    v = eighths > v ? eighths : v;
+}
+[[gnu::always_inline]] inline void spreadLeast(LaneNumbers& v) {
+    const LaneNumbers halves = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
+    v = halves < v ? halves : v;
+    const LaneNumbers quarters = __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
+    v = quarters < v ? quarters : v;
+    const LaneNumbers eighths = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
+    v = eighths < v ? eighths : v;
+}
 
 /// Numbers as an array. For extremes only: a sum would depend on where they begin in memory.
-inline auto arrayOf(std::span<const double> values) {
-    return Eigen::Map<const Eigen::ArrayXd>(values.data(),
+inline auto arrayOf(std::span<const float> values) {
+    return Eigen::Map<const Eigen::ArrayXf>(values.data(),
                                             static_cast<Eigen::Index>(values.size()));
 }
 
-inline double sumOf(std::span<const double> values) {
-    Lanes sums = Lanes::Zero();
-    size_t i = 0;
-    for (; i + laneCount <= values.size(); i += laneCount) sums += lanesAt(values.data() + i);
-    double sum = sums.sum();
-    for (; i < values.size(); ++i) sum += values[i];
-    return sum;
+/// Sums of many numbers, four at a time.
+inline constexpr uint32_t sumCount = 4;
+using Sums [[gnu::vector_size(sumCount * sizeof(double))]] = double;
+
+[[gnu::always_inline]] inline void load(const float* values, Sums& sums) {
+    using Floats [[gnu::vector_size(sumCount * sizeof(float))]] = float;
+    Floats floats;
+    std::memcpy(&floats, values, sizeof floats);
+    sums = __builtin_convertvector(floats, Sums);
+}
+
+[[gnu::always_inline]] inline double total(const Sums& sums) {
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 }  // namespace offmap::core

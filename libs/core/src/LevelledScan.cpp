@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Lanes.h"
+#include "ByProcessor.h"
 
 #include <offmap/core/LevelledScan.h>
+
+#include <cmath>
 
 namespace offmap::core {
 
@@ -10,32 +12,36 @@ using mrpt::math::TPoint3Df;
 
 namespace {
 
-/// Turns as many points as an array has numbers.
-template <class Array>
-void turn(const CMatrixDouble33& rotation, const Array& x, const Array& y, const Array& z,
-          uint32_t to, LevelledScan& levelled) {
-    using Out = Eigen::Map<Array>;
-    const Array east = rotation(0, 0) * x + rotation(0, 1) * y + rotation(0, 2) * z;
-    const Array north = rotation(1, 0) * x + rotation(1, 1) * y + rotation(1, 2) * z;
-    Out(levelled.x.data() + to) = east;
-    Out(levelled.y.data() + to) = north;
-    Out(levelled.range.data() + to) = (east * east + north * north).sqrt();
-    Out(levelled.z.data() + to) = rotation(2, 0) * x + rotation(2, 1) * y + rotation(2, 2) * z;
+struct Rotation {
+    explicit Rotation(const CMatrixDouble33& matrix) {
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column) {
+                r[row][column] = static_cast<float>(matrix(row, column));
+            }
+        }
+    }
+    float r[3][3];
+};
+
+/// Turns points of the sensor upright.
+OFFMAP_BY_PROCESSOR void turn(const Rotation& rotation, const TPoint3Df* points, uint32_t count,
+                              float* __restrict x, float* __restrict y, float* __restrict range,
+                              float* __restrict z) {
+    const auto [r] = rotation;
+    for (uint32_t i = 0; i < count; ++i) {
+        const TPoint3Df p = points[i];
+        const float east = r[0][0] * p.x + r[0][1] * p.y + r[0][2] * p.z;
+        const float north = r[1][0] * p.x + r[1][1] * p.y + r[1][2] * p.z;
+        x[i] = east;
+        y[i] = north;
+        range[i] = std::sqrt(east * east + north * north);
+        z[i] = r[2][0] * p.x + r[2][1] * p.y + r[2][2] * p.z;
+    }
 }
 
-void levelColumn(const CMatrixDouble33& rotation, const OrganizedScan& scan,
-                 const ScanColumn& column, LevelledScan& levelled) {
-    using Single = Eigen::Array<double, 1, 1>;
-    uint32_t i = column.begin;
-    for (; i + laneCount <= column.end; i += laneCount) {
-        const TPoint3Df* p = scan.points.data() + i;
-        turn(rotation, Lanes(p[0].x, p[1].x, p[2].x, p[3].x), Lanes(p[0].y, p[1].y, p[2].y, p[3].y),
-             Lanes(p[0].z, p[1].z, p[2].z, p[3].z), i, levelled);
-    }
-    for (; i < column.end; ++i) {
-        const TPoint3Df& p = scan.points[i];
-        turn(rotation, Single(p.x), Single(p.y), Single(p.z), i, levelled);
-    }
+Rotation uprightFrom(const ScanColumn& column) {
+    if (column.sensor) return Rotation(column.sensor->sensorInMap.getRotationMatrix());
+    return Rotation(mrpt::poses::CPose3D(column.sensorInVehicle).getRotationMatrix());
 }
 
 }  // namespace
@@ -45,10 +51,10 @@ void level(const OrganizedScan& scan, LevelledScan& levelled) {
         values->resize(scan.points.size());
     }
     for (const ScanColumn& column : scan.columns) {
-        levelColumn(column.sensor
-                        ? column.sensor->sensorInMap.getRotationMatrix()
-                        : mrpt::poses::CPose3D(column.sensorInVehicle).getRotationMatrix(),
-                    scan, column, levelled);
+        const uint32_t begin = column.begin;
+        turn(uprightFrom(column), scan.points.data() + begin, column.end - begin,
+             levelled.x.data() + begin, levelled.y.data() + begin, levelled.range.data() + begin,
+             levelled.z.data() + begin);
     }
 }
 

@@ -3,6 +3,8 @@
 
 namespace offmap::core {
 
+using mrpt::math::TPoint2D;
+
 void LineFit::add(const LineFit& other) {
     if (count_ == 0) {
         *this = other;
@@ -18,10 +20,7 @@ void LineFit::add(const LineFit& other) {
     y_ += other.y_ + n * dy;
 }
 
-FittedLine LineFit::line() const {
-    const ScaledLine scaled = scaledLine();
-    return {scaled.point, scaled.along * (1 / scaled.length)};
-}
+FittedLine LineFit::line() const { return scaledLine().withUnitVector(); }
 
 void RangeFits::build(const PlanePoints& points) {
     before_.resize(points.size() + 1);
@@ -30,12 +29,12 @@ void RangeFits::build(const PlanePoints& points) {
     origin_ = points[0];
     Sums sums;
     for (size_t i = 0; i < points.size(); ++i) {
-        const double x = points.x[i] - origin_.x, y = points.y[i] - origin_.y;
-        sums.x += x;
-        sums.y += y;
-        sums.xx += x * x;
-        sums.xy += x * y;
-        sums.yy += y * y;
+        const TPoint2D p = points[i] - origin_;
+        sums.x += p.x;
+        sums.y += p.y;
+        sums.xx += p.x * p.x;
+        sums.xy += p.x * p.y;
+        sums.yy += p.y * p.y;
         before_[i + 1] = sums;
     }
 }

@@ -4,8 +4,6 @@
 #include <offmap/core/LineFit.h>
 #include <offmap/core/PlanePoints.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,88 +11,48 @@
 
 namespace offmap::core {
 
-/// How far points stand off a line, less their slack, all times the length of a vector along it:
-/// that spares a division. Worked out for some points at a time.
+/// How far points stand off a line, less their slack. All is told times the length of a vector
+/// along the line, which spares divisions and roots.
 class OffsetsFromLine {
  public:
+    struct Points {
+        const float *x, *y, *slack;  ///< [m] no slack: null
+        uint32_t count;
+    };
+    struct Line {
+        float x, y;            ///< [m] of a point on it
+        float alongX, alongY;  ///< a vector along it
+        float length;          ///< of that; only used with slack
+    };
+    struct Furthest {
+        float offset;    ///< times the length; less than 0 if all are within their slack
+        uint32_t point;  ///< the first of several
+    };
+
     /// \param slack [m] per point, or empty
     OffsetsFromLine(const PlanePoints& points, std::span<const float> slack, const ScaledLine& line)
-        : points_(points), slack_(slack), line_(line) {}
+        : points_{points.x.data(), points.y.data(), slack.empty() ? nullptr : slack.data(),
+                  static_cast<uint32_t>(points.size())},
+          line_{static_cast<float>(line.point.x), static_cast<float>(line.point.y),
+                static_cast<float>(line.along.x), static_cast<float>(line.along.y),
+                slack.empty() ? 0 : static_cast<float>(std::sqrt(line.squaredLength))},
+          squaredLength_(line.squaredLength) {}
 
-    /// The point that is furthest off, the first of several, if that is more than a limit [m]; else
-    /// the number of points.
-    uint32_t furthestBeyond(double limit) const;
+    /// \pre there are points
+    Furthest furthest() const;
+    /// \param limit [m]
     bool anyBeyond(double limit) const;
 
+    /// \param offset of a point; \param limit [m]
+    bool isBeyond(float offset, double limit) const {
+        const double beyond = std::max(static_cast<double>(offset), 0.0);
+        return beyond * beyond > limit * limit * squaredLength_;
+    }
+
  private:
-    static constexpr uint32_t blockSize = 8;
-    using Block = Eigen::Array<double, blockSize, 1>;
-
-    double most() const;
-    uint32_t count() const { return static_cast<uint32_t>(points_.size()); }
-    uint32_t furthestAmong(uint32_t begin, uint32_t end, double scaledLimit) const;
-
-    double at(uint32_t i) const {
-        const double off = std::abs((points_.y[i] - line_.point.y) * line_.along.x -
-                                    (points_.x[i] - line_.point.x) * line_.along.y);
-        return slack_.empty() ? off : off - static_cast<double>(slack_[i]) * line_.length;
-    }
-    /// Of the points from i on. Inlined, what is the same for all stays in registers.
-    [[gnu::always_inline]] Block block(uint32_t i) const {
-        const Eigen::Map<const Block> x(points_.x.data() + i), y(points_.y.data() + i);
-        Block off =
-            ((y - line_.point.y) * line_.along.x - (x - line_.point.x) * line_.along.y).abs();
-        if (!slack_.empty()) {
-            const Eigen::Map<const Eigen::Array<float, blockSize, 1>> slack(slack_.data() + i);
-            off -= slack.cast<double>() * line_.length;
-        }
-        return off;
-    }
-
-    PlanePoints points_;
-    std::span<const float> slack_;
-    ScaledLine line_;
+    Points points_;
+    Line line_;
+    double squaredLength_;
 };
-
-inline uint32_t OffsetsFromLine::furthestAmong(uint32_t begin, uint32_t end,
-                                               double scaledLimit) const {
-    double most = scaledLimit;
-    uint32_t furthest = count();
-    for (uint32_t i = begin; i < end; ++i) {
-        const double off = at(i);
-        if (off > most) {
-            most = off;
-            furthest = i;
-        }
-    }
-    return furthest;
-}
-
-/// Blocks follow each other; the last one ends with the points, so it may overlap the one before.
-inline double OffsetsFromLine::most() const {
-    const uint32_t points = count();
-    Block greatest = block(points - blockSize);
-    for (uint32_t i = 0; i + blockSize < points; i += blockSize) greatest = greatest.max(block(i));
-    return greatest.maxCoeff();
-}
-
-inline bool OffsetsFromLine::anyBeyond(double limit) const {
-    const uint32_t points = count();
-    const double scaledLimit = limit * line_.length;
-    if (points < blockSize) return furthestAmong(0, points, scaledLimit) < points;
-    return most() > scaledLimit;
-}
-
-inline uint32_t OffsetsFromLine::furthestBeyond(double limit) const {
-    const uint32_t points = count();
-    const double scaledLimit = limit * line_.length;
-    if (points < blockSize) return furthestAmong(0, points, scaledLimit);
-    const double furthest = most();
-    if (!(furthest > scaledLimit)) return points;
-    uint32_t i = 0;
-    while (i + blockSize < points && block(i).maxCoeff() < furthest) i += blockSize;
-    const uint32_t begin = std::min(i, points - blockSize);
-    return furthestAmong(begin, begin + blockSize, scaledLimit);
-}
 
 }  // namespace offmap::core

@@ -52,11 +52,14 @@ bool allNear(const SegmentAtWall& atWall, const VerticalSegment& segment, uint32
     const auto x = arrayOf(std::span(levelled.x).subspan(begin, count));
     const auto y = arrayOf(std::span(levelled.y).subspan(begin, count));
     const auto z = arrayOf(std::span(levelled.z).subspan(begin, count));
-    const auto& [ofSensor, perGround, perHeight] = atWall.linear();
-    const double furthest =
-        (ofSensor + perGround.x * x + perGround.y * y + perHeight * z).abs().maxCoeff();
+    const LinearDistance& behind = atWall.linear();
+    const auto ofSensor = static_cast<float>(behind.ofSensor);
+    const auto perX = static_cast<float>(behind.perGround.x);
+    const auto perY = static_cast<float>(behind.perGround.y);
+    const auto perHeight = static_cast<float>(behind.perHeight);
+    const double furthest = (ofSensor + perX * x + perY * y + perHeight * z).abs().maxCoeff();
     // What standsOff() asks for, at least.
-    constexpr double rounding = 1e-9;  // [m]
+    constexpr double rounding = 1e-4;  // [m] of floats within 100 m
     const double leastSigma = offsets.scan().rangeSigma.empty() ? offsets.config().sigmaRange : 0;
     return furthest + rounding < offsets.config().gate * offsets.wall(wall).sigma + leastSigma;
 }

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffsetsFromLine.h"
+#include "RunWithoutGap.h"
 
 #include <offmap/core/SplitAndMerge.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace offmap::core {
 
 using mrpt::math::TPoint2D;
 using Run = SplitAndMergeScratch::Run;
+using StraightRun = SplitAndMergeScratch::StraightRun;
 
 namespace {
 
@@ -20,22 +23,22 @@ class Splitting {
         : points_(points), config_(config), fits_(fits) {}
 
     void cutAtGaps(std::vector<Run>& runs) const;
-    uint32_t strayFromChord(const Run& run) const;
-    uint32_t strayFromFit(const Run& run) const;
-    LinePiece pieceOf(const Run& run) const;
-    void append(Run run, std::vector<Run>& straight) const;
+    std::optional<ScaledLine> lineServing(const Run& run) const;
+    uint32_t splitPoint(const Run& run) const;
+    void append(StraightRun run, std::vector<StraightRun>& straight) const;
+    LinePiece pieceOf(const StraightRun& run) const;
     void settleSeam(LinePiece& first, LinePiece& second) const;
     bool longEnough(const LinePiece& piece) const;
 
  private:
-    static constexpr uint32_t gapBlock = 8;  // steps that are looked at together
-
     bool isGap(uint32_t before) const {
         return (points_[before + 1] - points_[before]).sqrNorm() > config_.maxGap * config_.maxGap;
     }
-    bool anyGapBehind(uint32_t first) const;
+    bool serves(const ScaledLine& line, const Run& run) const {
+        return !offsets(run, line).anyBeyond(config_.maxPointToLine);
+    }
     OffsetsFromLine offsets(const Run& run, const ScaledLine& line) const;
-    bool keepsTolerance(const Run& run) const;
+    ScaledLine chordOf(const Run& run) const;
     bool mayBeStraight(uint32_t first, uint32_t between, uint32_t last) const;
 
     const PlanePoints& points_;
@@ -43,34 +46,15 @@ class Splitting {
     const RangeFits& fits_;
 };
 
-/// Whether there is a gap behind any of some points from `first` on.
-bool Splitting::anyGapBehind(uint32_t first) const {
-    using Block = Eigen::Array<double, gapBlock, 1>;
-    using At = Eigen::Map<const Block>;
-    const double *x = points_.x.data() + first, *y = points_.y.data() + first;
-    const Block stepX = At(x + 1) - At(x), stepY = At(y + 1) - At(y);
-    return (stepX * stepX + stepY * stepY).maxCoeff() > config_.maxGap * config_.maxGap;
-}
-
 /// Runs without gaps that are worth a look, the first one on top.
 void Splitting::cutAtGaps(std::vector<Run>& runs) const {
     runs.clear();
-    auto end = static_cast<uint32_t>(points_.size());
-    const auto cut = [&](uint32_t begin) {
-        if (end - begin >= std::max(config_.minPoints, 1u)) runs.push_back({begin, end});
+    const auto least = std::max(config_.minPoints, 1u);
+    for (auto end = static_cast<uint32_t>(points_.size()); end > 0;) {
+        const uint32_t begin = beginOfRunWithoutGap(points_, end, config_.maxGap);
+        if (end - begin >= least) runs.push_back({begin, end});
         end = begin;
-    };
-    for (uint32_t i = end; i > 1;) {
-        const uint32_t stop = i > gapBlock ? i - gapBlock : 1;
-        if (i > gapBlock && !anyGapBehind(stop - 1)) {
-            i = stop;
-            continue;
-        }
-        for (; i > stop; --i) {
-            if (isGap(i - 2)) cut(i - 1);
-        }
     }
-    cut(0);
 }
 
 OffsetsFromLine Splitting::offsets(const Run& run, const ScaledLine& line) const {
@@ -80,34 +64,10 @@ OffsetsFromLine Splitting::offsets(const Run& run, const ScaledLine& line) const
     return {points_.range(run.begin, run.end), slack, line};
 }
 
-/// The point of a run that is furthest from the chord of its ends, its slack apart, if that is too
-/// far; else run.end.
-uint32_t Splitting::strayFromChord(const Run& run) const {
-    if (run.end - run.begin <= 2) return run.end;
+ScaledLine Splitting::chordOf(const Run& run) const {
     const TPoint2D from = points_[run.begin], along = points_[run.end - 1] - from;
-    const double length = std::sqrt(along.sqrNorm());
-    const ScaledLine chord =
-        length > 0 ? ScaledLine{from, along, length} : ScaledLine{from, {1, 0}, 1};
-    return run.begin + offsets(run, chord).furthestBeyond(config_.maxPointToLine);
-}
-
-/// The same of its fitted line.
-uint32_t Splitting::strayFromFit(const Run& run) const {
-    if (run.end - run.begin <= 2) return run.end;
-    const ScaledLine line = fits_.of(run.begin, run.end).scaledLine();
-    return run.begin + offsets(run, line).furthestBeyond(config_.maxPointToLine);
-}
-
-/// Whether the fitted line of a run serves it.
-bool Splitting::keepsTolerance(const Run& run) const {
-    const ScaledLine line = fits_.of(run.begin, run.end).scaledLine();
-    return !offsets(run, line).anyBeyond(config_.maxPointToLine);
-}
-
-LinePiece Splitting::pieceOf(const Run& run) const {
-    LinePiece piece{run.begin, run.end, fits_.of(run.begin, run.end), {}};
-    piece.line = piece.fit.line();
-    return piece;
+    const double squaredLength = along.sqrNorm();
+    return squaredLength > 0 ? ScaledLine{from, along, squaredLength} : ScaledLine{from, {1, 0}, 1};
 }
 
 /// Three points that one line serves form a triangle no higher than twice the tolerance: most
@@ -119,20 +79,51 @@ bool Splitting::mayBeStraight(uint32_t first, uint32_t between, uint32_t last) c
     const double twiceArea = toBetween.x * toLast.y - toBetween.y * toLast.x;
     const double longest =
         std::max({toBetween.sqrNorm(), toLast.sqrNorm(), (toLast - toBetween).sqrNorm()});
-    constexpr double rounding = 1 + 1e-9;
+    constexpr double rounding = 1 + 1e-5;
     const double highest = 2 * rounding * config_.maxPointToLine;
     return twiceArea * twiceArea <= highest * highest * longest;
 }
 
-/// Merges a straight run with the ones before it while one line serves both.
-void Splitting::append(Run run, std::vector<Run>& straight) const {
-    while (!straight.empty() && straight.back().end == run.begin && !isGap(run.begin - 1)) {
-        const Run both{straight.back().begin, run.end};
-        if (!mayBeStraight(both.begin, run.begin, both.end - 1) || !keepsTolerance(both)) break;
-        straight.pop_back();
-        run = both;
+/// The fitted line of a run, if it serves it.
+std::optional<ScaledLine> Splitting::lineServing(const Run& run) const {
+    const uint32_t count = run.end - run.begin;
+    const bool few = count <= 2;
+    if (!few && !mayBeStraight(run.begin, run.begin + count / 2, run.end - 1)) return std::nullopt;
+    const ScaledLine line = fits_.of(run.begin, run.end).scaledLine();
+    if (!few && !serves(line, run)) return std::nullopt;
+    return line;
+}
+
+/// Where a run that its line does not serve is split: the point furthest from the chord of its
+/// ends, if that is too far; else the one furthest from its line. It begins the second part.
+uint32_t Splitting::splitPoint(const Run& run) const {
+    const OffsetsFromLine fromChord = offsets(run, chordOf(run));
+    auto furthest = fromChord.furthest();
+    if (!fromChord.isBeyond(furthest.offset, config_.maxPointToLine)) {
+        furthest = offsets(run, fits_.of(run.begin, run.end).scaledLine()).furthest();
     }
-    straight.push_back(run);
+    return std::clamp(run.begin + furthest.point, run.begin + 1, run.end - 1);
+}
+
+/// Merges a straight run with the ones before it while one line serves both.
+void Splitting::append(StraightRun last, std::vector<StraightRun>& straight) const {
+    while (!straight.empty() && straight.back().end == last.begin && !isGap(last.begin - 1)) {
+        const StraightRun& before = straight.back();
+        if (!mayBeStraight(before.begin, last.begin, last.end - 1)) break;
+        const ScaledLine line = fits_.of(before.begin, last.end).scaledLine();
+        // The smaller of the two mostly tells.
+        const bool beforeIsSmaller = before.end - before.begin < last.end - last.begin;
+        const Run &smaller = beforeIsSmaller ? before : last,
+                  &larger = beforeIsSmaller ? last : before;
+        if (!serves(line, smaller) || !serves(line, larger)) break;
+        last = {{before.begin, last.end}, line};
+        straight.pop_back();
+    }
+    straight.push_back(last);
+}
+
+LinePiece Splitting::pieceOf(const StraightRun& run) const {
+    return {run.begin, run.end, fits_.of(run.begin, run.end), run.line.withUnitVector()};
 }
 
 /// Splitting gives the points beside a corner to one piece or the other as the order has it. Moves
@@ -147,10 +138,11 @@ void Splitting::settleSeam(LinePiece& first, LinePiece& second) const {
     while (seam + 1 < second.end && claims(first, second, seam)) ++seam;
     while (seam - 1 > first.begin && claims(second, first, seam - 1)) --seam;
     if (seam == first.end) return;
-    const Run before{first.begin, seam}, after{seam, second.end};
-    if (!keepsTolerance(before) || !keepsTolerance(after)) return;
-    first = pieceOf(before);
-    second = pieceOf(after);
+    const Run before{first.begin, seam}, behind{seam, second.end};
+    const auto ofBefore = lineServing(before), ofBehind = lineServing(behind);
+    if (!ofBefore || !ofBehind) return;
+    first = pieceOf({before, *ofBefore});
+    second = pieceOf({behind, *ofBehind});
 }
 
 bool Splitting::longEnough(const LinePiece& piece) const {
@@ -172,29 +164,24 @@ bool Splitting::longEnough(const LinePiece& piece) const {
 std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
                                          const SplitAndMergeConfig& config,
                                          SplitAndMergeScratch& scratch) {
-    scratch.fits.build(points);
-    const Splitting splitting(points, config, scratch.fits);
-    auto& pending = scratch.pending;
-    auto& straight = scratch.straight;
-    auto& pieces = scratch.pieces;
+    auto& [pending, straight, pieces, fits, x, y, slack] = scratch;
+    fits.build(points);
+    const Splitting splitting(points, config, fits);
     straight.clear();
     pieces.clear();
     splitting.cutAtGaps(pending);
     while (!pending.empty()) {
         const Run run = pending.back();
         pending.pop_back();
-        uint32_t at = splitting.strayFromChord(run);
-        if (at == run.end) at = splitting.strayFromFit(run);
-        if (at == run.end) {
-            splitting.append(run, straight);
+        if (const auto line = splitting.lineServing(run)) {
+            splitting.append({run, *line}, straight);
             continue;
         }
-        // The stray point begins the second part, unless it is the first of the run.
-        at = std::max(at, run.begin + 1);
+        const uint32_t at = splitting.splitPoint(run);
         pending.push_back({at, run.end});
         pending.push_back({run.begin, at});
     }
-    for (const Run& run : straight) pieces.push_back(splitting.pieceOf(run));
+    for (const StraightRun& run : straight) pieces.push_back(splitting.pieceOf(run));
     for (size_t i = 1; i < pieces.size(); ++i) splitting.settleSeam(pieces[i - 1], pieces[i]);
     std::erase_if(pieces, [&](const LinePiece& piece) { return !splitting.longEnough(piece); });
     return pieces;
@@ -206,10 +193,16 @@ std::span<const LinePiece> splitAndMerge(std::span<const TPoint2D> points,
     scratch.x.clear();
     scratch.y.clear();
     for (const TPoint2D& p : points) {
-        scratch.x.push_back(p.x);
-        scratch.y.push_back(p.y);
+        scratch.x.push_back(static_cast<float>(p.x - points.front().x));
+        scratch.y.push_back(static_cast<float>(p.y - points.front().y));
     }
-    return splitAndMerge({scratch.x, scratch.y}, config, scratch);
+    splitAndMerge({scratch.x, scratch.y}, config, scratch);
+    for (LinePiece& piece : scratch.pieces) {
+        piece.fit = {};
+        for (uint32_t i = piece.begin; i < piece.end; ++i) piece.fit.add(points[i]);
+        piece.line = piece.fit.line();
+    }
+    return scratch.pieces;
 }
 
 }  // namespace offmap::core

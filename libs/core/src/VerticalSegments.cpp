@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ByProcessor.h"
 #include "Lanes.h"
 
 #include <offmap/core/VerticalSegments.h>
@@ -12,6 +13,20 @@ namespace offmap::core {
 using mrpt::math::TPoint2D;
 
 namespace {
+
+OFFMAP_BY_PROCESSOR TPoint2D centreOf(const float* x, const float* y, uint32_t count) {
+    const uint32_t blocks = count / sumCount * sumCount;
+    Sums sumsX{}, sumsY{}, more;
+    for (uint32_t i = 0; i < blocks; i += sumCount) {
+        load(x + i, more);
+        sumsX += more;
+        load(y + i, more);
+        sumsY += more;
+    }
+    TPoint2D sum(total(sumsX), total(sumsY));
+    for (uint32_t i = blocks; i < count; ++i) sum += TPoint2D(x[i], y[i]);
+    return sum * (1.0 / count);
+}
 
 /// Makes segments of pieces that stand upright.
 class Uprights {
@@ -38,18 +53,21 @@ class Uprights {
  private:
     static constexpr double rounding = 1e-9;
 
+    static Eigen::Array2f floats(const TPoint2D& p) {
+        return {static_cast<float>(p.x), static_cast<float>(p.y)};
+    }
     void addEnds(const LinePiece& piece, VerticalSegment& segment) const {
         const uint32_t count = segment.end - segment.begin;
-        const auto& [point, direction] = piece.line;
+        const Eigen::Array2f point = floats(piece.line.point),
+                             direction = floats(piece.line.direction);
         const PlanePoints profile = levelled_.profile(segment.begin, segment.end);
-        const auto along = (arrayOf(profile.x) - point.x) * direction.x +
-                           (arrayOf(profile.y) - point.y) * direction.y;
-        segment.bottom = piece.line.at(along.minCoeff());
-        segment.top = piece.line.at(along.maxCoeff());
+        const auto along = (arrayOf(profile.x) - point.x()) * direction.x() +
+                           (arrayOf(profile.y) - point.y()) * direction.y();
+        segment.bottom = piece.line.at(static_cast<double>(along.minCoeff()));
+        segment.top = piece.line.at(static_cast<double>(along.maxCoeff()));
         if (segment.bottom.y > segment.top.y) std::swap(segment.bottom, segment.top);
-        segment.centre = TPoint2D(sumOf(std::span(levelled_.x).subspan(segment.begin, count)),
-                                  sumOf(std::span(levelled_.y).subspan(segment.begin, count))) *
-                         (1.0 / count);
+        segment.centre =
+            centreOf(levelled_.x.data() + segment.begin, levelled_.y.data() + segment.begin, count);
     }
 
     const LevelledScan& levelled_;
@@ -92,9 +110,10 @@ void findVerticalSegments(const OrganizedScan& scan, const LevelledScan& levelle
 Interval groundInterval(const VerticalSegment& segment, const LevelledScan& levelled,
                         double maxMountingSlope) {
     const auto [range, z] = levelled.profile(segment.begin, segment.end);
+    const double nearest = arrayOf(range).minCoeff(), furthest = arrayOf(range).maxCoeff();
     const double height = arrayOf(z).abs().maxCoeff();  // of the end furthest from the sensor's
     const double margin = height * maxMountingSlope;    // eqs. 4, 5
-    return {arrayOf(range).minCoeff() - margin, arrayOf(range).maxCoeff() + margin};  // eq. 3
+    return {nearest - margin, furthest + margin};       // eq. 3
 }
 
 }  // namespace offmap::core

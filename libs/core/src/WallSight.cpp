@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ByProcessor.h"
 #include "Lanes.h"
 
 #include <offmap/core/WallSight.h>
@@ -11,30 +12,54 @@ using mrpt::math::TPoint2D;
 
 namespace {
 
+/// Of returns, about their centre.
+struct Moments {
+    double height;          // [m] their mean
+    double variance;        // [m^2] of the heights, times the number of returns
+    double alongX, alongY;  // [m^2] covariance of place and height, times that number
+};
+
+OFFMAP_BY_PROCESSOR Moments momentsOf(const float* x, const float* y, const float* z,
+                                      uint32_t count, double centreX, double centreY) {
+    const uint32_t blocks = count / sumCount * sumCount;
+    Sums heights{}, squares{}, alongX{}, alongY{}, east, north, up;
+    for (uint32_t i = 0; i < blocks; i += sumCount) {
+        load(z + i, up);
+        heights += up;
+    }
+    double height = total(heights);
+    for (uint32_t i = blocks; i < count; ++i) height += static_cast<double>(z[i]);
+    height /= count;
+    for (uint32_t i = 0; i < blocks; i += sumCount) {
+        load(x + i, east);
+        load(y + i, north);
+        load(z + i, up);
+        squares += (up - height) * (up - height);
+        alongX += (east - centreX) * (up - height);
+        alongY += (north - centreY) * (up - height);
+    }
+    Moments moments{height, total(squares), total(alongX), total(alongY)};
+    for (uint32_t i = blocks; i < count; ++i) {
+        const double above = static_cast<double>(z[i]) - height;
+        moments.variance += above * above;
+        moments.alongX += (static_cast<double>(x[i]) - centreX) * above;
+        moments.alongY += (static_cast<double>(y[i]) - centreY) * above;
+    }
+    return moments;
+}
+
 /// Regression of the returns' places on their heights.
 class HeightRegression {
  public:
     HeightRegression(const VerticalSegment& segment, const LevelledScan& levelled)
         : centre_(segment.centre) {
-        const uint32_t count = segment.end - segment.begin;
-        meanHeight_ = sumOf(std::span(levelled.z).subspan(segment.begin, count)) / count;
-        uint32_t i = segment.begin;
-        Lanes squares = Lanes::Zero(), alongX = squares, alongY = squares;
-        for (; i + laneCount <= segment.end; i += laneCount) {
-            const Lanes above = lanesAt(levelled.z.data() + i) - meanHeight_;
-            squares += above * above;
-            alongX += (lanesAt(levelled.x.data() + i) - centre_.x) * above;
-            alongY += (lanesAt(levelled.y.data() + i) - centre_.y) * above;
-        }
-        double variance = squares.sum();
-        TPoint2D slope(alongX.sum(), alongY.sum());
-        for (; i < segment.end; ++i) {
-            const double above = levelled.z[i] - meanHeight_;
-            variance += above * above;
-            slope += (levelled.ground(i) - centre_) * above;
-        }
-        deviation_ = std::sqrt(variance / count);
-        perDeviation_ = variance > 0 ? slope * (deviation_ / variance) : TPoint2D(0, 0);
+        const uint32_t begin = segment.begin, count = segment.end - begin;
+        const Moments moments = momentsOf(levelled.x.data() + begin, levelled.y.data() + begin,
+                                          levelled.z.data() + begin, count, centre_.x, centre_.y);
+        meanHeight_ = moments.height;
+        deviation_ = std::sqrt(moments.variance / count);
+        if (!(moments.variance > 0)) return;
+        perDeviation_ = TPoint2D(moments.alongX, moments.alongY) * (deviation_ / moments.variance);
     }
 
     double meanHeight() const { return meanHeight_; }
@@ -43,8 +68,8 @@ class HeightRegression {
 
  private:
     TPoint2D centre_;
-    double meanHeight_, deviation_;  // [m]
-    TPoint2D perDeviation_;          // [m] shift on the ground per standard deviation of height
+    double meanHeight_, deviation_;   // [m]
+    TPoint2D perDeviation_ = {0, 0};  // [m] shift on the ground per standard deviation of height
 };
 
 WallSight sightOf(const VerticalSegment& segment, uint32_t index, const ColumnPlace& place,

@@ -14,9 +14,9 @@ namespace offmap::core {
 /// the vehicle and of the mounting are so undone before anything is called vertical. In a column
 /// without a pose, the axes are those of the vehicle.
 struct LevelledScan {
-    std::vector<double> x, y;   ///< [m] per point, on the ground
-    std::vector<double> range;  ///< [m] per point: ground range
-    std::vector<double> z;      ///< [m] per point, above the sensor
+    std::vector<float> x, y;   ///< [m] per point, on the ground
+    std::vector<float> range;  ///< [m] per point: ground range
+    std::vector<float> z;      ///< [m] per point, above the sensor
 
     mrpt::math::TPoint2D ground(uint32_t point) const { return {x[point], y[point]}; }
 

@@ -27,11 +27,13 @@ struct FittedLine {
     mrpt::math::TPoint2D at(double coordinate) const { return point + direction * coordinate; }
 };
 
-/// The same, but for the length of the vector: that spares a division.
+/// The same, but for the length of the vector: that spares a root and a division.
 struct ScaledLine {
     mrpt::math::TPoint2D point;
     mrpt::math::TPoint2D along;
-    double length;  ///< [m] of `along`, not 0
+    double squaredLength;  ///< of `along`, not 0
+
+    FittedLine withUnitVector() const { return {point, along * (1 / std::sqrt(squaredLength))}; }
 };
 
 /// Total least squares line through points that are added one by one. Sums are taken from the first
@@ -77,7 +79,7 @@ inline ScaledLine LineFit::scaledLine() const {
     const double larger = length + std::abs(difference);
     const mrpt::math::TPoint2D along = difference >= 0 ? mrpt::math::TPoint2D(larger, doubled)
                                                        : mrpt::math::TPoint2D(doubled, larger);
-    return {point, along, std::sqrt(2 * length * larger)};
+    return {point, along, 2 * length * larger};
 }
 
 /// The fits of all ranges of a list of points, each had in constant time from running sums.

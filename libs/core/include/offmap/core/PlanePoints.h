@@ -7,9 +7,10 @@
 
 namespace offmap::core {
 
-/// Points of a plane, coordinate by coordinate, as vector instructions want them.
+/// Points of a plane, their coordinates apart, so that many can be worked on together. As exact as
+/// the returns of a scan are.
 struct PlanePoints {
-    std::span<const double> x, y;  ///< [m] of equal size
+    std::span<const float> x, y;  ///< [m] of equal size
 
     size_t size() const { return x.size(); }
     mrpt::math::TPoint2D operator[](size_t i) const { return {x[i], y[i]}; }

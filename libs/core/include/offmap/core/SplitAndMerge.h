@@ -32,18 +32,23 @@ struct SplitAndMergeScratch {
     struct Run {
         uint32_t begin, end;
     };
-    std::vector<Run> pending, straight;
+    /// With the line that serves it.
+    struct StraightRun : Run {
+        ScaledLine line;
+    };
+    std::vector<Run> pending;
+    std::vector<StraightRun> straight;
     std::vector<LinePiece> pieces;
     RangeFits fits;
-    std::vector<double> x, y;  ///< [m] of points that came pair by pair
+    std::vector<float> x, y;   ///< [m] of points that came pair by pair, from the first of them
     std::vector<float> slack;  ///< [m] see SplitAndMergeConfig
 };
 
 /// Straight pieces of an ordered list of points, in its order and disjoint: the list is cut at
-/// gaps, a run is split at the point furthest from the chord of its ends until all are near it, and
-/// neighbouring pieces are merged while one fitted line serves both; then each point beside the
-/// seam of two pieces goes to the nearer line (section 2: Borges 2000, Nguyen 2005). \return valid
-/// until the scratch is used again
+/// gaps, a run that its fitted line does not serve is split at the point furthest from the chord of
+/// its ends, and neighbouring pieces are merged while one fitted line serves both; then each point
+/// beside the seam of two pieces goes to the nearer line (section 2: Borges 2000, Nguyen 2005).
+/// \return valid until the scratch is used again
 std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
                                          const SplitAndMergeConfig& config,
                                          SplitAndMergeScratch& scratch);
