@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -34,6 +35,27 @@ void reduceWhole(benchmark::State& state, const evaluation::Scanner& scanner,
     state.counters["mapped"] = double(std::count(labels.begin(), labels.end(), PointLabel::Mapped));
 }
 
+/// From the last column to the result: what is left if the others were reduced as they came.
+void lastColumn(benchmark::State& state, const evaluation::Scanner& scanner,
+                MatchingMethod method) {
+    const test::Office office(scanner);
+    OrganizedScan allButOne = office.scan;
+    allButOne.points.resize(allButOne.columns.back().begin);
+    allButOne.sourceIndex.resize(allButOne.columns.back().begin);
+    allButOne.columns.pop_back();
+    ReductionConfig config;
+    config.matching.method = method;
+    Reducer reducer(office.map, config);
+    for (auto _ : state) {
+        reducer.begin();
+        reducer.add(allButOne);
+        const auto before = std::chrono::steady_clock::now();
+        benchmark::DoNotOptimize(reducer.finish(office.scan).labels.data());
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
+        state.SetIterationTime(took.count());
+    }
+}
+
 const bool registered = [] {
     for (const auto& [scanner, name] :
          {std::pair(evaluation::paperScanner(), "181x181"), std::pair(slowVlp16(), "16x3600"),
@@ -46,6 +68,10 @@ const bool registered = [] {
                 (std::string("reduceWhole/") + called + "/" + name).c_str(), reduceWhole, scanner,
                 method)
                 ->Unit(benchmark::kMicrosecond);
+            benchmark::RegisterBenchmark((std::string("lastColumn/") + called + "/" + name).c_str(),
+                                         lastColumn, scanner, method)
+                ->Unit(benchmark::kMicrosecond)
+                ->UseManualTime();
         }
     }
     return true;

@@ -29,7 +29,7 @@ struct Steps {
 
     void levelPoints() { level(office.scan, levelled); }
     void findSegments() {
-        findVerticalSegments(office.scan, levelled, config.vertical, splitting, segments);
+        finder.find(office.scan, levelled, segments);
     }
     void measure() {
         const double maxMountingSlope = std::tan(config.groundInterval.maxMountingTilt);
@@ -56,7 +56,8 @@ struct Steps {
     }
 
     void sightWalls() {
-        placesOf(office.scan, places);
+        places.clear();
+        addPlaces(office.scan, places);
         findSights(office.scan, levelled, places, segments, sights);
     }
     void alignPose() {
@@ -88,7 +89,7 @@ struct Steps {
     const test::Office office;
     ReductionConfig config;
     LevelledScan levelled;
-    SplitAndMergeScratch splitting;
+    VerticalSegmentFinder finder{config.vertical};
     std::vector<VerticalSegment> segments;
     std::vector<Interval> measured;
     std::vector<std::optional<Viewpoint>> viewpoints;

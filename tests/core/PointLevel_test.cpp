@@ -56,7 +56,8 @@ struct AtTheWall {
 
     ReturnOffsets offsets() {
         level(scan, levelled);
-        placesOf(scan, places);
+        places.clear();
+        addPlaces(scan, places);
         return {scan, levelled, places, correction, map, config};
     }
 

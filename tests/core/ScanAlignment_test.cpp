@@ -34,8 +34,8 @@ struct WrongPose {
             column.sensor = SensorPose{stated, Eigen::Matrix3d::Zero()};
         }
         level(built.scan, levelled);
-        findVerticalSegments(built.scan, levelled, {}, splitting, segments);
-        placesOf(built.scan, places);
+        VerticalSegmentFinder({}).find(built.scan, levelled, segments);
+        addPlaces(built.scan, places);
         findSights(built.scan, levelled, places, segments, sights);
     }
 
@@ -48,7 +48,6 @@ struct WrongPose {
     TPoint2D pivot;
     Eigen::Vector3d error;
     LevelledScan levelled;
-    SplitAndMergeScratch splitting;
     std::vector<VerticalSegment> segments;
     std::vector<ColumnPlace> places;
     std::vector<WallSight> sights;

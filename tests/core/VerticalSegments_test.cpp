@@ -32,9 +32,8 @@ struct Found {
 
 Found segmentsOf(const OrganizedScan& scan, const VerticalConfig& config = {}) {
     Found found;
-    SplitAndMergeScratch scratch;
     level(scan, found.levelled);
-    findVerticalSegments(scan, found.levelled, config, scratch, found.segments);
+    VerticalSegmentFinder(config).find(scan, found.levelled, found.segments);
     return found;
 }
 

@@ -17,9 +17,8 @@ namespace {
 std::vector<uint8_t> slotsOnSegments(const rawlog::TurnScan& turn, size_t slots) {
     core::LevelledScan levelled;
     core::level(turn.scan, levelled);
-    core::SplitAndMergeScratch scratch;
     std::vector<core::VerticalSegment> segments;
-    core::findVerticalSegments(turn.scan, levelled, core::VerticalConfig(), scratch, segments);
+    core::VerticalSegmentFinder({}).find(turn.scan, levelled, segments);
     std::vector<uint8_t> ofSlot(slots, 0), ofPoint(turn.scan.points.size(), 0);
     for (const core::VerticalSegment& segment : segments) {
         for (uint32_t i = segment.begin; i < segment.end; ++i) ofPoint[i] = 1;

@@ -46,16 +46,16 @@ Rotation uprightFrom(const ScanColumn& column) {
 
 }  // namespace
 
+void levelColumn(const OrganizedScan& scan, uint32_t column, LevelledScan& levelled) {
+    const uint32_t begin = scan.columns[column].begin, end = scan.columns[column].end;
+    turn(uprightFrom(scan.columns[column]), scan.points.data() + begin, end - begin,
+         levelled.x.data() + begin, levelled.y.data() + begin, levelled.range.data() + begin,
+         levelled.z.data() + begin);
+}
+
 void level(const OrganizedScan& scan, LevelledScan& levelled) {
-    for (auto* values : {&levelled.x, &levelled.y, &levelled.range, &levelled.z}) {
-        values->resize(scan.points.size());
-    }
-    for (const ScanColumn& column : scan.columns) {
-        const uint32_t begin = column.begin;
-        turn(uprightFrom(column), scan.points.data() + begin, column.end - begin,
-             levelled.x.data() + begin, levelled.y.data() + begin, levelled.range.data() + begin,
-             levelled.z.data() + begin);
-    }
+    levelled.resize(scan.points.size());
+    for (uint32_t c = 0; c < scan.columns.size(); ++c) levelColumn(scan, c, levelled);
 }
 
 }  // namespace offmap::core

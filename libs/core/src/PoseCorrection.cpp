@@ -40,18 +40,20 @@ ColumnPlace placeOf(const ScanColumn& column) {
                    mrpt::poses::CPose3D(column.sensorInVehicle).getRotationMatrix());
 }
 
-void placesOf(const OrganizedScan& scan, std::vector<ColumnPlace>& places) {
-    places.assign(scan.columns.size(), {{0, 0}, {1, 0}});
+void addPlaces(const OrganizedScan& scan, std::vector<ColumnPlace>& places) {
     std::optional<mrpt::math::TPose3D> mounting;  // that `rotation` is of: mostly, all are alike
     mrpt::math::CMatrixDouble33 rotation;
-    for (size_t c = 0; c < scan.columns.size(); ++c) {
-        const ScanColumn& column = scan.columns[c];
-        if (!column.sensor) continue;
+    while (places.size() < scan.columns.size()) {
+        const ScanColumn& column = scan.columns[places.size()];
+        if (!column.sensor) {
+            places.push_back({{0, 0}, {1, 0}});
+            continue;
+        }
         if (mounting != column.sensorInVehicle) {
             mounting = column.sensorInVehicle;
             rotation = mrpt::poses::CPose3D(*mounting).getRotationMatrix();
         }
-        places[c] = placeOf(column.sensor->sensorInMap, rotation);
+        places.push_back(placeOf(column.sensor->sensorInMap, rotation));
     }
 }
 

@@ -164,7 +164,7 @@ bool Splitting::longEnough(const LinePiece& piece) const {
 std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
                                          const SplitAndMergeConfig& config,
                                          SplitAndMergeScratch& scratch) {
-    auto& [pending, straight, pieces, fits, x, y, slack] = scratch;
+    auto& [pending, straight, pieces, fits, x, y] = scratch;
     fits.build(points);
     const Splitting splitting(points, config, fits);
     straight.clear();

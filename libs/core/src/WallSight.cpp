@@ -72,18 +72,6 @@ class HeightRegression {
     TPoint2D perDeviation_ = {0, 0};  // [m] shift on the ground per standard deviation of height
 };
 
-WallSight sightOf(const VerticalSegment& segment, uint32_t index, const ColumnPlace& place,
-                  const LevelledScan& levelled, double sensorHeight) {
-    const HeightRegression line(segment, levelled);
-    return {index,
-            place,
-            line.below(),
-            line.above(),
-            segment.centre * (1 / segment.centre.norm()),
-            sensorHeight + line.meanHeight(),
-            segment.end - segment.begin};
-}
-
 std::optional<double> rangeSigmaOf(const OrganizedScan& scan, const VerticalSegment& segment) {
     if (scan.rangeSigma.empty()) return std::nullopt;
     double sum = 0;
@@ -96,17 +84,32 @@ std::optional<double> rangeSigmaOf(const OrganizedScan& scan, const VerticalSegm
 
 }  // namespace
 
+std::optional<WallSight> sightOf(uint32_t index, const VerticalSegment& segment,
+                                 const OrganizedScan& scan, const LevelledScan& levelled,
+                                 const ColumnPlace& place) {
+    const double range = segment.centre.norm();
+    if (!(range > 0)) return std::nullopt;
+    const HeightRegression line(segment, levelled);
+    const double sensorHeight = scan.columns[segment.column].sensor->sensorInMap.z();
+    return WallSight{index,
+                     place,
+                     line.below(),
+                     line.above(),
+                     segment.centre * (1 / range),
+                     sensorHeight + line.meanHeight(),
+                     segment.end - segment.begin,
+                     rangeSigmaOf(scan, segment)};
+}
+
 void findSights(const OrganizedScan& scan, const LevelledScan& levelled,
                 std::span<const ColumnPlace> places, std::span<const VerticalSegment> segments,
                 std::vector<WallSight>& sights) {
     sights.clear();
     for (uint32_t s = 0; s < segments.size(); ++s) {
         const VerticalSegment& segment = segments[s];
-        const auto& sensor = scan.columns[segment.column].sensor;
-        if (!sensor || !(segment.centre.norm() > 0)) continue;
-        sights.push_back(
-            sightOf(segment, s, places[segment.column], levelled, sensor->sensorInMap.z()));
-        sights.back().rangeSigma = rangeSigmaOf(scan, segment);
+        if (!scan.columns[segment.column].sensor) continue;
+        const auto sight = sightOf(s, segment, scan, levelled, places[segment.column]);
+        if (sight) sights.push_back(*sight);
     }
 }
 

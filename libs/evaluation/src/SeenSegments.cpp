@@ -53,7 +53,7 @@ std::vector<SeenSegment> seenSegments(const OrganizedScan& scan,
     LevelledScan levelled;
     level(scan, levelled);
     std::vector<core::ColumnPlace> places;
-    placesOf(scan, places);
+    addPlaces(scan, places);
     std::vector<core::WallSight> sights;
     findSights(scan, levelled, places, result.segments, sights);
     std::erase_if(sights, [&](const core::WallSight& sight) {

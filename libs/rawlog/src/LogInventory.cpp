@@ -47,7 +47,8 @@ LogInventory::LogInventory(const LogSurvey& survey, const Config& config,
       config_(config),
       input_(std::move(input)),
       chosen_(std::move(sensors)),
-      coverages_(std::move(coverages)) {}
+      coverages_(std::move(coverages)),
+      finder_(config.reduction.vertical) {}
 
 void LogInventory::add(const RawlogEntry& entry) {
     using mrpt::obs::CActionCollection;
@@ -117,8 +118,7 @@ void LogInventory::countTurn(SensorInventory& sensor, const Turn& turn,
     TurnScan organized = scanClassOf(*turn.front(), config)->organize(turn, noPoses, config);
     maskSelfReturns(organized, config);
     core::level(organized.scan, levelled_);
-    core::findVerticalSegments(organized.scan, levelled_, config_.reduction.vertical, scratch_,
-                               segments_);
+    finder_.find(organized.scan, levelled_, segments_);
     for (const core::VerticalSegment& segment : segments_) {
         sensor.onVerticalSegments += segment.end - segment.begin;
     }

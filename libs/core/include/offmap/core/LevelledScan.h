@@ -18,6 +18,10 @@ struct LevelledScan {
     std::vector<float> range;  ///< [m] per point: ground range
     std::vector<float> z;      ///< [m] per point, above the sensor
 
+    void resize(size_t points) {
+        for (auto* values : {&x, &y, &range, &z}) values->resize(points);
+    }
+
     mrpt::math::TPoint2D ground(uint32_t point) const { return {x[point], y[point]}; }
 
     /// Points as (ground range, z).
@@ -27,5 +31,8 @@ struct LevelledScan {
 };
 
 void level(const OrganizedScan& scan, LevelledScan& levelled);
+
+/// The points of one column. \pre there is room for them
+void levelColumn(const OrganizedScan& scan, uint32_t column, LevelledScan& levelled);
 
 }  // namespace offmap::core

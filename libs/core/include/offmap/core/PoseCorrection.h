@@ -30,8 +30,9 @@ struct ColumnPlace {
 /// \pre the column has a pose
 ColumnPlace placeOf(const ScanColumn& column);
 
-/// The place of each column; of one without a pose, none that means anything.
-void placesOf(const OrganizedScan& scan, std::vector<ColumnPlace>& places);
+/// Appends the places of those columns that have none yet; of one without a pose, none that means
+/// anything.
+void addPlaces(const OrganizedScan& scan, std::vector<ColumnPlace>& places);
 
 /// A correction of a scan's poses and how far it may be wrong itself.
 struct PoseCorrection {

@@ -40,8 +40,7 @@ struct SplitAndMergeScratch {
     std::vector<StraightRun> straight;
     std::vector<LinePiece> pieces;
     RangeFits fits;
-    std::vector<float> x, y;   ///< [m] of points that came pair by pair, from the first of them
-    std::vector<float> slack;  ///< [m] see SplitAndMergeConfig
+    std::vector<float> x, y;  ///< [m] of points that came pair by pair, from the first of them
 };
 
 /// Straight pieces of an ordered list of points, in its order and disjoint: the list is cut at

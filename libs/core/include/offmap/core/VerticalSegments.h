@@ -11,11 +11,28 @@
 
 namespace offmap::core {
 
-/// The vertical line segments of every column, by column and bottom to top (section 3):
-/// split-and-merge in the (ground range, z) plane, then the bound eta on the tilt.
-void findVerticalSegments(const OrganizedScan& scan, const LevelledScan& levelled,
-                          const VerticalConfig& config, SplitAndMergeScratch& scratch,
-                          std::vector<VerticalSegment>& segments);
+/// Finds the vertical line segments of columns (section 3): split-and-merge in the (ground range,
+/// z) plane, then the bound eta on the tilt. Keeps its working memory.
+class VerticalSegmentFinder {
+ public:
+    explicit VerticalSegmentFinder(const VerticalConfig& config);
+
+    /// Appends the segments of one column, bottom to top. \param levelled that column, at least
+    void addColumn(const OrganizedScan& scan, const LevelledScan& levelled, uint32_t column,
+                   std::vector<VerticalSegment>& segments);
+
+    /// Those of all columns.
+    void find(const OrganizedScan& scan, const LevelledScan& levelled,
+              std::vector<VerticalSegment>& segments);
+
+ private:
+    void findSlack(std::span<const float> rangeSigma);
+
+    VerticalConfig config_;
+    double maxSlope_;           // [-] of the tilt, and a little
+    std::vector<float> slack_;  // [m] of the column's points
+    SplitAndMergeScratch scratch_;
+};
 
 /// The interval of ground range that a segment's points span, widened by what a tilted mounting
 /// does to its higher or lower end (eqs. 3 to 5) [m].

@@ -31,6 +31,12 @@ struct WallSight {
     }
 };
 
+/// The sight of a segment; none if it stands at the sensor.
+/// \param place of its column, which has a pose
+std::optional<WallSight> sightOf(uint32_t index, const VerticalSegment& segment,
+                                 const OrganizedScan& scan, const LevelledScan& levelled,
+                                 const ColumnPlace& place);
+
 /// The sights of all segments whose column has a pose, in the order of the segments.
 /// \param places of the scan's columns
 void findSights(const OrganizedScan& scan, const LevelledScan& levelled,

@@ -92,7 +92,7 @@ class LogInventory {
     std::optional<TimeSpan> span_, scanSpan_;
     std::map<std::string, SensorConfig> configs_;  // by label, as far as seen
     core::LevelledScan levelled_;
-    core::SplitAndMergeScratch scratch_;
+    core::VerticalSegmentFinder finder_;
     std::vector<core::VerticalSegment> segments_;
     std::map<Sensor, TurnCollector<mrpt::obs::CObservation::ConstPtr>> open_;
 };

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColumnFindings.h"
+
+#include <cmath>
+
+namespace offmap::core {
+
+ColumnFindings::ColumnFindings(const LineMap& map, const ReductionConfig& config)
+    : map_(map),
+      config_(config),
+      maxMountingSlope_(std::tan(config.groundInterval.maxMountingTilt)),
+      finder_(config.vertical) {}
+
+void ColumnFindings::begin() {
+    viewpoints_.clear();
+    places_.clear();
+    sights_.clear();
+    firstFault_.reset();
+    anyUsable_ = false;
+    offMap_ = true;
+}
+
+void ColumnFindings::add(const OrganizedScan& scan, ReductionResult& result) {
+    const size_t firstColumn = viewpoints_.size(), firstSegment = result.segments.size();
+    levelled_.resize(scan.points.size());
+    for (auto c = static_cast<uint32_t>(firstColumn); c < scan.columns.size(); ++c) {
+        levelColumn(scan, c, levelled_);
+        finder_.addColumn(scan, levelled_, c, result.segments);  // section 3
+        addViewpoint(scan.columns[c], result);                   // 3.2
+    }
+    for (size_t s = firstSegment; s < result.segments.size(); ++s) {
+        SegmentMatch& match = result.matches.emplace_back();  // Kept, NoPose
+        match.measured =
+            groundInterval(result.segments[s], levelled_, maxMountingSlope_);  // eqs. 3-5
+    }
+    if (config_.matching.method == MatchingMethod::Paper) {
+        matchByRays(result, firstSegment);
+    } else {
+        addSights(scan, result, firstSegment);
+    }
+}
+
+void ColumnFindings::addViewpoint(const ScanColumn& column, ReductionResult& result) {
+    auto& usable = viewpoints_.emplace_back();
+    if (column.begin == column.end) return;
+    std::optional<PoseFault> fault = column.fault;
+    if (column.sensor) {
+        const Viewpoint viewpoint = viewpointOf(*column.sensor);
+        fault = faultOf(viewpoint, config_.matching);
+        if (!fault) usable = viewpoint;
+        // One column with walls around it is enough; mostly, the first has.
+        if (!fault && offMap_) {
+            offMap_ = !map_.hasWallWithin(viewpoint.position, config_.matching.maxRange);
+        }
+    }
+    if (fault) ++result.columnsWithoutPose;
+    if (fault && !firstFault_) firstFault_ = fault;
+    anyUsable_ = anyUsable_ || !fault;
+}
+
+std::optional<PoseFault> ColumnFindings::notReduced() const {
+    if (!anyUsable_) return firstFault_;  // none in a scan without points
+    return offMap_ ? std::optional(PoseFault::OffMap) : std::nullopt;
+}
+
+/// Eqs. 1, 6, 7.
+void ColumnFindings::matchByRays(ReductionResult& result, size_t firstSegment) const {
+    for (size_t s = firstSegment; s < result.segments.size(); ++s) {
+        const auto& viewpoint = viewpoints_[result.segments[s].column];
+        if (!viewpoint) continue;
+        SegmentMatch& match = result.matches[s];
+        match = matchByRay(result.segments[s], match.measured, *viewpoint, map_, config_.matching);
+    }
+}
+
+void ColumnFindings::addSights(const OrganizedScan& scan, const ReductionResult& result,
+                               size_t firstSegment) {
+    addPlaces(scan, places_);
+    for (size_t s = firstSegment; s < result.segments.size(); ++s) {
+        const VerticalSegment& segment = result.segments[s];
+        if (!viewpoints_[segment.column]) continue;
+        const auto sight =
+            sightOf(static_cast<uint32_t>(s), segment, scan, levelled_, places_[segment.column]);
+        if (sight) sights_.push_back(*sight);
+    }
+}
+
+}  // namespace offmap::core
