@@ -28,9 +28,7 @@ struct Steps {
     explicit Steps(const evaluation::Scanner& scanner) : office(scanner) {}
 
     void levelPoints() { level(office.scan, levelled); }
-    void findSegments() {
-        finder.find(office.scan, levelled, segments);
-    }
+    void findSegments() { finder.find(office.scan, levelled, segments); }
     void measure() {
         const double maxMountingSlope = std::tan(config.groundInterval.maxMountingTilt);
         measured.clear();

@@ -25,6 +25,7 @@ class Splitting {
     void cutAtGaps(std::vector<Run>& runs) const;
     std::optional<ScaledLine> lineServing(const Run& run) const;
     uint32_t splitPoint(const Run& run) const;
+    bool straysAlone(const Run& run, uint32_t point, const ScaledLine& line) const;
     void append(StraightRun run, std::vector<StraightRun>& straight) const;
     LinePiece pieceOf(const StraightRun& run) const;
     void settleSeam(LinePiece& first, LinePiece& second) const;
@@ -40,6 +41,9 @@ class Splitting {
     OffsetsFromLine offsets(const Run& run, const ScaledLine& line) const;
     ScaledLine chordOf(const Run& run) const;
     bool mayBeStraight(uint32_t first, uint32_t between, uint32_t last) const;
+    bool mayBeStraight(const Run& run) const {
+        return mayBeStraight(run.begin, run.begin + (run.end - run.begin) / 2, run.end - 1);
+    }
 
     const PlanePoints& points_;
     const SplitAndMergeConfig& config_;
@@ -86,23 +90,36 @@ bool Splitting::mayBeStraight(uint32_t first, uint32_t between, uint32_t last) c
 
 /// The fitted line of a run, if it serves it.
 std::optional<ScaledLine> Splitting::lineServing(const Run& run) const {
-    const uint32_t count = run.end - run.begin;
-    const bool few = count <= 2;
-    if (!few && !mayBeStraight(run.begin, run.begin + count / 2, run.end - 1)) return std::nullopt;
+    const bool few = run.end - run.begin <= 2;
+    if (!few && !mayBeStraight(run)) return std::nullopt;
     const ScaledLine line = fits_.of(run.begin, run.end).scaledLine();
     if (!few && !serves(line, run)) return std::nullopt;
     return line;
 }
 
-/// Where a run that its line does not serve is split: the point furthest from the chord of its
-/// ends, if that is too far; else the one furthest from its line. It begins the second part.
+/// Whether a point strays from a line alone, those beside it do not: by noise, then.
+bool Splitting::straysAlone(const Run& run, uint32_t point, const ScaledLine& line) const {
+    const FittedLine fitted = line.withUnitVector();
+    const auto isNear = [&](uint32_t i) {
+        const double slack = config_.slack.empty() ? 0 : static_cast<double>(config_.slack[i]);
+        return fitted.distance(points_[i]) <= config_.maxPointToLine + slack;
+    };
+    return (point == run.begin || isNear(point - 1)) && (point + 1 == run.end || isNear(point + 1));
+}
+
+/// Where a run that its line does not serve is split: at the point that strays from it, if that
+/// does so alone; its chord has the noise of two points. Else at the one furthest from its chord,
+/// which mostly is a corner. It begins the second part.
 uint32_t Splitting::splitPoint(const Run& run) const {
-    const OffsetsFromLine fromChord = offsets(run, chordOf(run));
-    auto furthest = fromChord.furthest();
-    if (!fromChord.isBeyond(furthest.offset, config_.maxPointToLine)) {
-        furthest = offsets(run, fits_.of(run.begin, run.end).scaledLine()).furthest();
+    const auto after = [&](uint32_t point) {
+        return std::clamp(point, run.begin + 1, run.end - 1);
+    };
+    if (mayBeStraight(run)) {
+        const ScaledLine line = fits_.of(run.begin, run.end).scaledLine();
+        const uint32_t stray = run.begin + offsets(run, line).furthest().point;
+        if (straysAlone(run, stray, line)) return after(stray);
     }
-    return std::clamp(run.begin + furthest.point, run.begin + 1, run.end - 1);
+    return after(run.begin + offsets(run, chordOf(run)).furthest().point);
 }
 
 /// Merges a straight run with the ones before it while one line serves both.

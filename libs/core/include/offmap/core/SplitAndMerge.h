@@ -44,10 +44,10 @@ struct SplitAndMergeScratch {
 };
 
 /// Straight pieces of an ordered list of points, in its order and disjoint: the list is cut at
-/// gaps, a run that its fitted line does not serve is split at the point furthest from the chord of
-/// its ends, and neighbouring pieces are merged while one fitted line serves both; then each point
-/// beside the seam of two pieces goes to the nearer line (section 2: Borges 2000, Nguyen 2005).
-/// \return valid until the scratch is used again
+/// gaps, a run that its fitted line does not serve is split at a point that strays from that line
+/// alone, else at the one furthest from the chord of its ends, and neighbouring pieces are merged
+/// while one fitted line serves both; then each point beside the seam of two pieces goes to the
+/// nearer line (section 2: Borges 2000, Nguyen 2005). \return valid until the scratch is used again
 std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
                                          const SplitAndMergeConfig& config,
                                          SplitAndMergeScratch& scratch);
