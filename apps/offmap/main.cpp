@@ -30,7 +30,10 @@ void addCommands(CLI::App& app, int& exitCode) {
 
 int main(int argc, char** argv) {
     using namespace offmap::app;
-    if (argc > 1 && std::string_view(argv[1]) == "live") return becomeLiveProgram(argv + 1);
+    if (argc > 1 && std::string_view(argv[1]) == "live") {
+        argv[1] = argv[0];  // what messages begin with
+        return becomeLiveProgram(argv + 1);
+    }
     const char* description = "offmap takes out of a 3D laser scan what a 2D map already knows.";
     return runCommandLine(argc, argv, "offmap", description, addCommands);
 }
