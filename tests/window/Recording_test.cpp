@@ -90,20 +90,18 @@ TEST_F(RecordingTest, aDiskThatIsFullEndsTheRecordingAndNotThePlaying) {
     open(false);
     ASSERT_TRUE(comes(1));
     playback_->record(*folder_ / "full.rawlog");
-    {
-        const SmallDisk disk(1000);  // [byte] a scan has some 30,000
-        playback_->play();
-        ASSERT_TRUE(comes(turns));
-        ASSERT_TRUE(ends());
-    }
+    const SmallDisk disk(1000);  // [byte] a scan has some 30,000
+    playback_->play();
+    ASSERT_TRUE(comes(turns));
+    ASSERT_TRUE(ends());
     EXPECT_EQ(playback_->failure(), "");
-    EXPECT_FALSE(playback_->recording());
     try {
         playback_->finishRecording();
         FAIL() << "nobody hears of it";
     } catch (const std::runtime_error& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("full.rawlog"));
     }
+    EXPECT_FALSE(playback_->recording());
     EXPECT_NO_THROW(playback_->finishRecording()) << "once is enough";
     EXPECT_THAT(folder_->names(), ElementsAre("drive.rawlog"));
 }
