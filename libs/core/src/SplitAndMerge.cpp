@@ -26,7 +26,7 @@ class Splitting {
     std::optional<ScaledLine> lineServing(const Run& run) const;
     uint32_t splitPoint(const Run& run) const;
     bool straysAlone(const Run& run, uint32_t point, const ScaledLine& line) const;
-    void append(StraightRun run, std::vector<StraightRun>& straight) const;
+    void append(StraightRun last, std::vector<StraightRun>& straight) const;
     LinePiece pieceOf(const StraightRun& run) const;
     void settleSeam(LinePiece& first, LinePiece& second) const;
     bool longEnough(const LinePiece& piece) const;
