@@ -18,28 +18,21 @@ double squaredRange(const TPoint3Df& p) {
     return x * x + y * y + z * z;
 }
 
-bool below(const ColumnReturn& a, const ColumnReturn& b) {
-    if (a.sinElevation != b.sinElevation) return a.sinElevation < b.sinElevation;
+bool comesFirst(const ColumnReturn& a, const ColumnReturn& b) {  // of two at one elevation
     const auto key = [](const ColumnReturn& r) {
         return std::make_tuple(squaredRange(r.point), r.point.x, r.point.y, r.point.z, r.slot);
     };
     return key(a) < key(b);
 }
 
-}  // namespace
+struct Below {  // a type, so that what sorts knows it
+    bool operator()(const ColumnReturn& a, const ColumnReturn& b) const {
+        if (a.sinElevation != b.sinElevation) return a.sinElevation < b.sinElevation;
+        return comesFirst(a, b);
+    }
+};
 
-bool countReturn(ReturnCounts& counts, const TPoint3Df& point) {
-    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
-        ++counts.nonFinite;
-        return false;
-    }
-    if (point.x == 0 && point.y == 0 && point.z == 0) {
-        ++counts.zero;
-        return false;
-    }
-    ++counts.returns;
-    return true;
-}
+}  // namespace
 
 void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
                  const mrpt::poses::CPose3D& sensorInVehicle) {
@@ -63,13 +56,13 @@ double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sens
 void appendColumn(TurnScan& out, core::ScanColumn column,
                   const mrpt::poses::CPose3D& sensorInVehicle, std::span<ColumnReturn> returns) {
     const auto& rotation = sensorInVehicle.getRotationMatrix();
+    const double upX = rotation(2, 0), upY = rotation(2, 1), upZ = rotation(2, 2);
     for (ColumnReturn& r : returns) {
-        const double height =
-            rotation(2, 0) * r.point.x + rotation(2, 1) * r.point.y + rotation(2, 2) * r.point.z;
+        const double height = upX * r.point.x + upY * r.point.y + upZ * r.point.z;
         r.sinElevation = height / std::sqrt(squaredRange(r.point));
     }
-    const bool inOrder = std::is_sorted(returns.begin(), returns.end(), below);
-    if (!inOrder) std::sort(returns.begin(), returns.end(), below);
+    const bool inOrder = std::is_sorted(returns.begin(), returns.end(), Below());
+    if (!inOrder) std::sort(returns.begin(), returns.end(), Below());
 
     column.begin = static_cast<uint32_t>(out.scan.points.size());
     for (const ColumnReturn& r : returns) {

@@ -7,6 +7,7 @@
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt/poses/CPose3D.h>
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,7 +22,18 @@ struct ColumnReturn {
 };
 
 /// Counts what stands in a slot. \return true if it is a return: finite and not the origin
-bool countReturn(ReturnCounts& counts, const mrpt::math::TPoint3Df& point);
+inline bool countReturn(ReturnCounts& counts, const mrpt::math::TPoint3Df& point) {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
+        ++counts.nonFinite;
+        return false;
+    }
+    if (point.x == 0 && point.y == 0 && point.z == 0) {
+        ++counts.zero;
+        return false;
+    }
+    ++counts.returns;
+    return true;
+}
 
 /// Gives a column its mounting and, where the vehicle has a pose, the pose of its sensor.
 void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
