@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FactoryCalibrations.h"
+
 #include <offmap/rawlog/LidarModels.h>
 
 #include <mrpt/core/bits_math.h>
-#include <mrpt/obs/VelodyneCalibration.h>
-
-#include <string>
 
 namespace offmap::rawlog {
 
@@ -15,11 +14,9 @@ constexpr std::string_view vlp16 = "VLP-16";
 constexpr std::string_view hdl32 = "HDL-32E";
 constexpr std::string_view scan2dPrefix = "2D_SCAN_";
 
-/// \param calibration the name by which MRPT keeps the factory's values
-std::vector<double> factoryElevations(const std::string& calibration) {
+std::vector<double> elevationsOf(const mrpt::obs::VelodyneCalibration& calibration) {
     std::vector<double> elevations;
-    for (const auto& laser :
-         mrpt::obs::VelodyneCalibration::LoadDefaultCalibration(calibration).laser_corrections) {
+    for (const auto& laser : calibration.laser_corrections) {
         elevations.push_back(mrpt::DEG2RAD(laser.verticalCorrection));
     }
     return elevations;
@@ -32,8 +29,8 @@ bool isVelodyneModel(std::string_view lidarModel) {
 }
 
 std::vector<double> elevationsOfModel(std::string_view lidarModel) {
-    static const std::vector<double> ofVlp16 = factoryElevations("VLP16");
-    static const std::vector<double> ofHdl32 = factoryElevations("HDL32");
+    static const std::vector<double> ofVlp16 = elevationsOf(factoryCalibrations().vlp16);
+    static const std::vector<double> ofHdl32 = elevationsOf(factoryCalibrations().hdl32);
     if (lidarModel == vlp16) return ofVlp16;
     if (lidarModel == hdl32) return ofHdl32;
     if (lidarModel.starts_with(scan2dPrefix)) return {0};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FactoryCalibrations.h"
 #include "VelodyneFields.h"
 
 #include <offmap/rawlog/VelodyneModel.h>
@@ -125,10 +126,8 @@ const VelodyneModel& modelOf(const Scan& obs) {
 
 LaserCalibrations calibrationOf(const Scan& obs, const VelodyneModel& model) {
     if (!obs.calibration.empty()) return obs.calibration.laser_corrections;
-    using mrpt::obs::VelodyneCalibration;
-    static const VelodyneCalibration ofVlp16 = VelodyneCalibration::LoadDefaultCalibration("VLP16");
-    static const VelodyneCalibration ofHdl32 = VelodyneCalibration::LoadDefaultCalibration("HDL32");
-    return (&model == &hdl32 ? ofHdl32 : ofVlp16).laser_corrections;
+    const FactoryCalibrations& factory = factoryCalibrations();
+    return (&model == &hdl32 ? factory.hdl32 : factory.vlp16).laser_corrections;
 }
 
 }  // namespace offmap::rawlog
