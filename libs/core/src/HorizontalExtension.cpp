@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace offmap::core {
 
@@ -86,8 +87,10 @@ void Extender::extendChain(std::span<const uint32_t> chain) {
     const SplitAndMergeConfig splitting{config.maxPointToLine,
                                         std::numeric_limits<double>::infinity(), config.minLength,
                                         config.minSegments};
-    for (const LinePiece& piece : splitAndMerge(scratch_.chain, splitting, scratch_.splitting)) {
-        HorizontalLine line{piece.fit, *matches_[chain[piece.begin]].wall};
+    const std::span<const TPoint2D> centres = scratch_.chain;
+    for (const LinePiece& piece : splitAndMerge(centres, splitting, scratch_.splitting)) {
+        HorizontalLine line{fitOf(centres.subspan(piece.begin, piece.end - piece.begin)),
+                            *matches_[chain[piece.begin]].wall};
         extend(line, segments_[chain[piece.end - 1]].column, +1);
         extend(line, segments_[chain[piece.begin]].column, -1);
     }

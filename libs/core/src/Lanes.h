@@ -19,22 +19,15 @@ using LaneNumbers [[gnu::vector_size(laneCount * sizeof(int32_t))]] = int32_t;
     std::memcpy(&lanes, values, sizeof lanes);
 }
 
-/// The greatest or least of all lanes ends up in each.
-[[gnu::always_inline]] inline void spreadGreatest(Lanes& v) {
-    const Lanes halves = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
+/// The greatest of all lanes ends up in each.
+template <class Numbers>
+[[gnu::always_inline]] inline void spreadGreatest(Numbers& v) {
+    const Numbers halves = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
     v = halves > v ? halves : v;
-    const Lanes quarters = __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
+    const Numbers quarters = __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
     v = quarters > v ? quarters : v;
-    const Lanes eighths = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
+    const Numbers eighths = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
     v = eighths > v ? eighths : v;
-}
-[[gnu::always_inline]] inline void spreadLeast(LaneNumbers& v) {
-    const LaneNumbers halves = __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
-    v = halves < v ? halves : v;
-    const LaneNumbers quarters = __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
-    v = quarters < v ? quarters : v;
-    const LaneNumbers eighths = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
-    v = eighths < v ? eighths : v;
 }
 
 /// Numbers as an array. For extremes only: a sum would depend on where they begin in memory.

@@ -22,6 +22,12 @@ void LineFit::add(const LineFit& other) {
 
 FittedLine LineFit::line() const { return scaledLine().withUnitVector(); }
 
+LineFit fitOf(std::span<const TPoint2D> points) {
+    LineFit fit;
+    for (const TPoint2D& p : points) fit.add(p);
+    return fit;
+}
+
 void RangeFits::build(const PlanePoints& points) {
     before_.resize(points.size() + 1);
     before_.front() = {};

@@ -72,9 +72,9 @@ OFFMAP_BY_PROCESSOR Furthest furthestOf(const Points& points, const Line& line) 
     Lanes greatest = most;
     spreadGreatest(greatest);
     const LaneNumbers none = LaneNumbers{} + static_cast<int32_t>(points.count);
-    furthest = most == greatest ? furthest : none;
-    spreadLeast(furthest);
-    return {greatest[0], static_cast<uint32_t>(furthest[0])};
+    LaneNumbers negative = most == greatest ? -furthest : -none;  // the first is the greatest
+    spreadGreatest(negative);
+    return {greatest[0], static_cast<uint32_t>(-negative[0])};
 }
 
 }  // namespace

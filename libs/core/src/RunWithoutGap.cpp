@@ -28,10 +28,7 @@ OFFMAP_BY_PROCESSOR uint32_t beginOfRun(const float* x, const float* y, uint32_t
     while (i >= laneCount && !anyGap(x + i - laneCount, y + i - laneCount, squaredGap)) {
         i -= laneCount;
     }
-    for (; i > 0; --i) {
-        const float stepX = x[i] - x[i - 1], stepY = y[i] - y[i - 1];
-        if (stepX * stepX + stepY * stepY > squaredGap) break;
-    }
+    while (i > 0 && !isGap(x + i - 1, y + i - 1, squaredGap)) --i;
     return i;
 }
 

@@ -16,6 +16,12 @@ using StraightRun = SplitAndMergeScratch::StraightRun;
 
 namespace {
 
+/// What came of fitting a line to a run.
+struct Trial {
+    std::optional<ScaledLine> line;  // none: a glance tells that no line serves the run
+    bool serves;
+};
+
 /// What is split: points, and how far each may be off.
 class Splitting {
  public:
@@ -23,8 +29,8 @@ class Splitting {
         : points_(points), config_(config), fits_(fits) {}
 
     void cutAtGaps(std::vector<Run>& runs) const;
-    std::optional<ScaledLine> lineServing(const Run& run) const;
-    uint32_t splitPoint(const Run& run) const;
+    Trial tried(const Run& run) const;
+    uint32_t splitPoint(const Run& run, const std::optional<ScaledLine>& line) const;
     bool straysAlone(const Run& run, uint32_t point, const ScaledLine& line) const;
     void append(StraightRun last, std::vector<StraightRun>& straight) const;
     LinePiece pieceOf(const StraightRun& run) const;
@@ -32,9 +38,7 @@ class Splitting {
     bool longEnough(const LinePiece& piece) const;
 
  private:
-    bool isGap(uint32_t before) const {
-        return (points_[before + 1] - points_[before]).sqrNorm() > config_.maxGap * config_.maxGap;
-    }
+    bool isGap(uint32_t before) const { return isGapBehind(points_, before, config_.maxGap); }
     bool serves(const ScaledLine& line, const Run& run) const {
         return !offsets(run, line).anyBeyond(config_.maxPointToLine);
     }
@@ -88,13 +92,11 @@ bool Splitting::mayBeStraight(uint32_t first, uint32_t between, uint32_t last) c
     return twiceArea * twiceArea <= highest * highest * longest;
 }
 
-/// The fitted line of a run, if it serves it.
-std::optional<ScaledLine> Splitting::lineServing(const Run& run) const {
+Trial Splitting::tried(const Run& run) const {
     const bool few = run.end - run.begin <= 2;
-    if (!few && !mayBeStraight(run)) return std::nullopt;
+    if (!few && !mayBeStraight(run)) return {std::nullopt, false};
     const ScaledLine line = fits_.of(run.begin, run.end).scaledLine();
-    if (!few && !serves(line, run)) return std::nullopt;
-    return line;
+    return {line, few || serves(line, run)};
 }
 
 /// Whether a point strays from a line alone, those beside it do not: by noise, then.
@@ -109,15 +111,14 @@ bool Splitting::straysAlone(const Run& run, uint32_t point, const ScaledLine& li
 
 /// Where a run that its line does not serve is split: at the point that strays from it, if that
 /// does so alone; its chord has the noise of two points. Else at the one furthest from its chord,
-/// which mostly is a corner. It begins the second part.
-uint32_t Splitting::splitPoint(const Run& run) const {
+/// which mostly is a corner. It begins the second part. \param line of its trial
+uint32_t Splitting::splitPoint(const Run& run, const std::optional<ScaledLine>& line) const {
     const auto after = [&](uint32_t point) {
         return std::clamp(point, run.begin + 1, run.end - 1);
     };
-    if (mayBeStraight(run)) {
-        const ScaledLine line = fits_.of(run.begin, run.end).scaledLine();
-        const uint32_t stray = run.begin + offsets(run, line).furthest().point;
-        if (straysAlone(run, stray, line)) return after(stray);
+    if (line) {
+        const uint32_t stray = run.begin + offsets(run, *line).furthest().point;
+        if (straysAlone(run, stray, *line)) return after(stray);
     }
     return after(run.begin + offsets(run, chordOf(run)).furthest().point);
 }
@@ -140,7 +141,7 @@ void Splitting::append(StraightRun last, std::vector<StraightRun>& straight) con
 }
 
 LinePiece Splitting::pieceOf(const StraightRun& run) const {
-    return {run.begin, run.end, fits_.of(run.begin, run.end), run.line.withUnitVector()};
+    return {run.begin, run.end, run.line.withUnitVector()};
 }
 
 /// Splitting gives the points beside a corner to one piece or the other as the order has it. Moves
@@ -156,10 +157,12 @@ void Splitting::settleSeam(LinePiece& first, LinePiece& second) const {
     while (seam - 1 > first.begin && claims(second, first, seam - 1)) --seam;
     if (seam == first.end) return;
     const Run before{first.begin, seam}, behind{seam, second.end};
-    const auto ofBefore = lineServing(before), ofBehind = lineServing(behind);
-    if (!ofBefore || !ofBehind) return;
-    first = pieceOf({before, *ofBefore});
-    second = pieceOf({behind, *ofBehind});
+    const Trial ofBefore = tried(before);
+    if (!ofBefore.serves) return;
+    const Trial ofBehind = tried(behind);
+    if (!ofBehind.serves) return;
+    first = pieceOf({before, *ofBefore.line});
+    second = pieceOf({behind, *ofBehind.line});
 }
 
 bool Splitting::longEnough(const LinePiece& piece) const {
@@ -190,11 +193,12 @@ std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
     while (!pending.empty()) {
         const Run run = pending.back();
         pending.pop_back();
-        if (const auto line = splitting.lineServing(run)) {
-            splitting.append({run, *line}, straight);
+        const Trial trial = splitting.tried(run);
+        if (trial.serves) {
+            splitting.append({run, *trial.line}, straight);
             continue;
         }
-        const uint32_t at = splitting.splitPoint(run);
+        const uint32_t at = splitting.splitPoint(run, trial.line);
         pending.push_back({at, run.end});
         pending.push_back({run.begin, at});
     }
@@ -215,9 +219,7 @@ std::span<const LinePiece> splitAndMerge(std::span<const TPoint2D> points,
     }
     splitAndMerge({scratch.x, scratch.y}, config, scratch);
     for (LinePiece& piece : scratch.pieces) {
-        piece.fit = {};
-        for (uint32_t i = piece.begin; i < piece.end; ++i) piece.fit.add(points[i]);
-        piece.line = piece.fit.line();
+        piece.line = fitOf(points.subspan(piece.begin, piece.end - piece.begin)).line();
     }
     return scratch.pieces;
 }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace offmap::core {
@@ -65,6 +66,9 @@ class LineFit {
     mrpt::math::TPoint2D origin_;
     double x_ = 0, y_ = 0, xx_ = 0, xy_ = 0, yy_ = 0;
 };
+
+/// Through all of the points.
+LineFit fitOf(std::span<const mrpt::math::TPoint2D> points);
 
 inline ScaledLine LineFit::scaledLine() const {
     const double n = static_cast<double>(count_);

@@ -23,8 +23,7 @@ struct SplitAndMergeConfig {
 /// A straight piece of an ordered list of points.
 struct LinePiece {
     uint32_t begin, end;  ///< half-open range into the points
-    LineFit fit;          ///< of them
-    FittedLine line;      ///< fit.line()
+    FittedLine line;      ///< of least squared distances to them
 };
 
 /// Working memory, and the owner of the result.
