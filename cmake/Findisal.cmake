@@ -1,13 +1,4 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The target isal::isal: Intel's ISA-L, which runs on other processors too. Debian's comes without a package file for
-# CMake; this one is installed with offmap's, whose users need no pkg-config.
-find_path(isal_INCLUDE_DIR isa-l/igzip_lib.h)
-find_library(isal_LIBRARY isal)
-mark_as_advanced(isal_INCLUDE_DIR isal_LIBRARY)
-include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(isal REQUIRED_VARS isal_LIBRARY isal_INCLUDE_DIR)
-if(isal_FOUND AND NOT TARGET isal::isal)
-  add_library(isal::isal UNKNOWN IMPORTED)
-  set_target_properties(isal::isal PROPERTIES
-    IMPORTED_LOCATION "${isal_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${isal_INCLUDE_DIR}")
-endif()
+# Intel's ISA-L, which runs on other processors too.
+include(${CMAKE_CURRENT_LIST_DIR}/PlainLibrary.cmake)
+offmap_find_plain_library(isal isa-l/igzip_lib.h isal)

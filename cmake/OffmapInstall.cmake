@@ -28,7 +28,7 @@ function(offmap_install_package)
   write_basic_package_version_file(${package}/offmapConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES ${package}/offmapConfig.cmake ${package}/offmapConfigVersion.cmake
-    cmake/Findcairo.cmake cmake/Findisal.cmake cmake/Findlibdeflate.cmake
+    cmake/PlainLibrary.cmake cmake/Findcairo.cmake cmake/Findisal.cmake cmake/Findlibdeflate.cmake
     DESTINATION ${OFFMAP_PACKAGE_DIR})
 
   install(DIRECTORY config share/maps DESTINATION ${CMAKE_INSTALL_DATADIR}/offmap)
