@@ -3,9 +3,9 @@
 
 #include "../TextSections.h"
 #include "GuardedLogs.h"
-#include "LogTurns.h"
 #include "MapCheckOptions.h"
 #include "MapCheckResult.h"
+#include "VisitedLog.h"
 #include "input/Console.h"
 #include "input/GuardedMap.h"
 #include "input/LoadedMap.h"

@@ -3,9 +3,9 @@
 
 #include "../TextSections.h"
 #include "GuardedLogs.h"
-#include "LogTurns.h"
 #include "MapConversion.h"
 #include "MapFromLogOptions.h"
+#include "VisitedLog.h"
 #include "input/Console.h"
 #include "input/NamedFiles.h"
 #include "input/UsageError.h"

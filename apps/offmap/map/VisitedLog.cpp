@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LogTurns.h"
+#include "VisitedLog.h"
 
 #include "../SensorLabels.h"
 #include "input/UsageError.h"
