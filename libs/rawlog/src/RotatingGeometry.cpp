@@ -74,8 +74,6 @@ mrpt::Clock::duration seconds(double s) {
 
 }  // namespace
 
-RotatingGeometry::Direction::Direction(double angle) : cos(std::cos(angle)), sin(std::sin(angle)) {}
-
 RotatingGeometry::RotatingGeometry(const Scan& obs, const SensorConfig& config)
     : rangeResolution_(obs.rangeResolution),
       startTime_(obs.timestamp - seconds(stampAfterStart(obs, config.timeReference))) {
@@ -90,9 +88,9 @@ RotatingGeometry::RotatingGeometry(const Scan& obs, const SensorConfig& config)
     timeStep_ = stepsInSpan ? obs.sweepDuration / stepsInSpan : 0;
     const auto ofModel = elevationsOfModel(obs.lidarModel);
     for (const double elevation : config.elevations.empty() ? ofModel : config.elevations) {
-        elevations_.emplace_back(elevation);
+        elevations_.push_back(Direction::of(elevation));
     }
-    for (uint32_t c = 0; c < columns_; ++c) azimuths_.emplace_back(azimuth(c));
+    for (uint32_t c = 0; c < columns_; ++c) azimuths_.push_back(Direction::of(azimuth(c)));
 }
 
 double RotatingGeometry::azimuth(uint32_t column) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VelodyneDirection.h"
 #include "VelodyneFields.h"
+#include "VelodynePoint.h"
 
 #include <offmap/rawlog/VelodyneModel.h>
 #include <offmap/rawlog/VelodynePackets.h>

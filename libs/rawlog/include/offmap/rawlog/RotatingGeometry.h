@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/rawlog/Direction.h>
 #include <offmap/rawlog/SensorConfig.h>
 
 #include <mrpt/core/Clock.h>
@@ -41,11 +42,6 @@ class RotatingGeometry {
     /// Columns from the first to that with which the column's firing begins.
     double steps(uint32_t column) const { return column - column % columnsPerFiring_; }
 
-    /// Cosine and sine of an angle.
-    struct Direction {
-        explicit Direction(double angle);
-        double cos, sin;
-    };
     std::vector<Direction> elevations_;  // by row
     std::vector<Direction> azimuths_;    // by column
     double rangeResolution_;             // [m]

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/rawlog/Direction.h>
+
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 #include <mrpt/obs/VelodyneCalibration.h>
 
-#include <cmath>
 #include <cstdint>
 
 namespace offmap::rawlog {
 
-/// A direction in the sensor's horizontal plane.
-struct Direction {
-    double cos = 1, sin = 0;  ///< of its clockwise azimuth, as the sensor counts it
-
-    static Direction of(double clockwise) { return {std::cos(clockwise), std::sin(clockwise)}; }
-    Direction turned(const Direction& by) const {
-        return {cos * by.cos - sin * by.sin, sin * by.cos + cos * by.sin};
-    }
-};
-
+/// \param direction clockwise, as the sensor counts its azimuth
 inline mrpt::math::TPoint3Df pointOf(uint16_t distance, const Direction& direction,
                                      const mrpt::obs::VelodyneCalibration::PerLaserCalib& laser) {
     const double range =
