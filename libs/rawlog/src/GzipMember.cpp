@@ -30,10 +30,14 @@ libdeflate_compressor& compressorOf(int level) {
 
 }  // namespace
 
-std::vector<std::byte> gzipMember(std::span<const std::byte> content, int level) {
+void checkGzipLevel(int level) {
     if (level < 0 || level >= static_cast<int>(levels)) {
         throw std::invalid_argument("gzip level must be 0 to 9");
     }
+}
+
+std::vector<std::byte> gzipMember(std::span<const std::byte> content, int level) {
+    checkGzipLevel(level);
     libdeflate_compressor& compressor = compressorOf(level);
     std::vector<std::byte> member(libdeflate_gzip_compress_bound(&compressor, content.size()));
     member.resize(libdeflate_gzip_compress(&compressor, content.data(), content.size(),

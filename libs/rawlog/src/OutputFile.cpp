@@ -71,9 +71,7 @@ fs::path hiddenNameBeside(const fs::path& target) {
 OutputFile::OutputFile(const fs::path& target, const OutputOptions& options)
     : target_(target), options_(options), file_(nullptr, std::fclose) {
     checkTarget();
-    if (options.gzipLevel && (*options.gzipLevel < 0 || *options.gzipLevel > 9)) {
-        throw std::invalid_argument("gzip level must be 0 to 9");
-    }
+    if (options.gzipLevel) checkGzipLevel(*options.gzipLevel);
     ignoreFileSizeSignal();
     openTemporary();
 }

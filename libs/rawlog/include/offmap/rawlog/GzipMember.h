@@ -7,9 +7,12 @@
 
 namespace offmap::rawlog {
 
+/// \throw std::invalid_argument if the level is not 0 (stored) to 9
+void checkGzipLevel(int level);
+
 /// The content as one gzip member, in the same bytes on every machine. Members one after the other
 /// are a gzip file. May be called in several threads at once.
-/// \param level 0 (stored) to 9 \throw std::invalid_argument if it is another
+/// \param level see checkGzipLevel(), which throws for others
 std::vector<std::byte> gzipMember(std::span<const std::byte> content, int level);
 
 }  // namespace offmap::rawlog
