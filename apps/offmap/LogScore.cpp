@@ -9,6 +9,7 @@
 #include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/ScanClasses.h>
+#include <offmap/rawlog/SensorConfigs.h>
 
 #include <fmt/format.h>
 
@@ -45,7 +46,7 @@ class Comparison {
                rawlog::GuardedStatus& status)
         : truthFile_(std::move(truth)),
           logFile_(std::move(log)),
-          config_(config),
+          sensors_(config),
           status_(status),
           truth_(truthFile_) {}
 
@@ -68,19 +69,13 @@ class Comparison {
     }
 
  private:
-    const rawlog::SensorConfig& sensorOf(const std::string& label) {
-        const auto known = sensors_.find(label);
-        if (known != sensors_.end()) return known->second;
-        return sensors_.emplace(label, config_.sensorOf(label)).first->second;
-    }
-
     template <class Visit>
     void forEachScan(Visit&& visit) {
         rawlog::RawlogReader reader(logFile_);
         status_.atEntry(reader.place());
         while (const auto entry = reader.next()) {
             rawlog::forEachObservation(entry->object, [&](const CObservation::Ptr& obs, size_t) {
-                const rawlog::SensorConfig& config = sensorOf(obs->sensorLabel);
+                const rawlog::SensorConfig& config = sensors_.of(obs->sensorLabel);
                 if (const auto* scanClass = rawlog::scanClassOf(*obs, config)) {
                     visit(obs, *scanClass);
                 } else if (const auto reason = rawlog::unsupportedReason(*obs, config)) {
@@ -101,7 +96,7 @@ class Comparison {
 
     void compare(const CObservation::Ptr& obs, const rawlog::ScanClass& scanClass, size_t place) {
         scanClass.loadExternal(*obs, logFile_);
-        const auto left = rawlog::decodedPoints(*obs, scanClass, sensorOf(obs->sensorLabel));
+        const auto left = rawlog::decodedPoints(*obs, scanClass, sensors_.of(obs->sensorLabel));
         skipMissing();
         if (next_ && places_.at(keyOf(*next_)) < place) failAtOrder();
         if (!next_ || keyOf(*next_) != keyOf(*obs)) {
@@ -123,13 +118,12 @@ class Comparison {
     }
 
     std::filesystem::path truthFile_, logFile_;
-    const rawlog::Config& config_;
+    rawlog::SensorConfigs sensors_;
     rawlog::GuardedStatus& status_;
     evaluation::TruthReader truth_;
-    const ObservationTruth* next_ = nullptr;               // of the truth; null: none is left
-    std::map<Key, size_t> places_;                         // of the log's 3D observations
-    std::map<std::string, rawlog::SensorConfig> sensors_;  // by label, as far as seen
-    std::map<uint64_t, evaluation::Score> scans_;          // by number
+    const ObservationTruth* next_ = nullptr;       // of the truth; null: none is left
+    std::map<Key, size_t> places_;                 // of the log's 3D observations
+    std::map<uint64_t, evaluation::Score> scans_;  // by number
     LogScore out_;
 };
 

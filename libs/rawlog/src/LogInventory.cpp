@@ -44,10 +44,10 @@ LogInventory::LogInventory(const LogSurvey& survey, const Config& config,
                            std::filesystem::path input, std::set<std::string> sensors,
                            std::vector<PoseCoverage*> coverages)
     : survey_(survey),
-      config_(config),
       input_(std::move(input)),
       chosen_(std::move(sensors)),
       coverages_(std::move(coverages)),
+      configs_(config),
       finder_(config.reduction.vertical) {}
 
 void LogInventory::add(const RawlogEntry& entry) {
@@ -66,7 +66,7 @@ void LogInventory::add(const RawlogEntry& entry) {
 }
 
 void LogInventory::addObservation(const CObservation::Ptr& obs) {
-    const SensorConfig& config = sensorOf(obs->sensorLabel);
+    const SensorConfig& config = configs_.of(obs->sensorLabel);
     SensorInventory& sensor = sensors_[{obs->sensorLabel, classNameOf(*obs)}];
     const mrpt::poses::CPose3D mounting = sensorInVehicle(*obs, config);
     if (sensor.observations++ == 0) {
@@ -134,15 +134,9 @@ void LogInventory::countTurn(SensorInventory& sensor, const Turn& turn,
 void LogInventory::finish() {
     for (auto& [sensor, turns] : open_) {
         for (const Turn& turn : turns.finish()) {
-            countTurn(sensors_[sensor], turn, sensorOf(sensor.first));
+            countTurn(sensors_[sensor], turn, configs_.of(sensor.first));
         }
     }
-}
-
-const SensorConfig& LogInventory::sensorOf(const std::string& label) {
-    const auto known = configs_.find(label);
-    if (known != configs_.end()) return known->second;
-    return configs_.emplace(label, config_.sensorOf(label)).first->second;
 }
 
 }  // namespace offmap::rawlog

@@ -14,7 +14,7 @@ using mrpt::obs::CObservation;
 using mrpt::obs::CObservation2DRangeScan;
 
 LogTurns::LogTurns(const LogSurvey& survey, const Config& config, Settings settings)
-    : survey_(survey), config_(config), settings_(std::move(settings)) {}
+    : survey_(survey), configs_(config), settings_(std::move(settings)) {}
 
 void LogTurns::add(const RawlogEntry& entry, LogStretch& to) {
     const auto& added = to.entries.emplace_back(std::make_shared<LogEntry>());
@@ -26,7 +26,7 @@ void LogTurns::add(const RawlogEntry& entry, LogStretch& to) {
         const bool chosen =
             settings_.sensors.empty() || settings_.sensors.contains(obs->sensorLabel);
         if (!chosen) return;
-        const SensorConfig config = config_.sensorOf(obs->sensorLabel);
+        const SensorConfig& config = configs_.of(obs->sensorLabel);
         if (survey_.reducible(*obs, config)) {
             added->object = entry.object;
             addObservation({added, position, obs}, to);
@@ -48,7 +48,7 @@ void LogTurns::addObservation(TurnMember member, LogStretch& to) {
     const std::string& label = scan->sensorLabel;
     auto open = open_.find(label);
     if (open == open_.end()) {
-        const SensorConfig config = config_.sensorOf(label);
+        const SensorConfig& config = configs_.of(label);
         OpenTurn turn{TurnCollector<TurnMember>(config), config.maxColumnPause};
         open = open_.emplace(label, std::move(turn)).first;
     }
@@ -56,9 +56,9 @@ void LogTurns::addObservation(TurnMember member, LogStretch& to) {
 }
 
 /// False if it is to be copied as it is, because its file cannot be loaded.
-bool LogTurns::loadIfExternal(TurnMember& member, LogStretch& to) const {
+bool LogTurns::loadIfExternal(TurnMember& member, LogStretch& to) {
     try {
-        const SensorConfig config = config_.sensorOf(member.obs->sensorLabel);
+        const SensorConfig& config = configs_.of(member.obs->sensorLabel);
         member.loaded =
             scanClassOf(*member.obs, config)->loadExternal(*member.obs, settings_.input);
         return true;
@@ -80,8 +80,8 @@ void LogTurns::endOverdueTurns(mrpt::Clock::time_point now, LogStretch& to) {
 void LogTurns::addTurns(std::vector<std::vector<TurnMember>> turns, LogStretch& to) {
     for (std::vector<TurnMember>& members : turns) {
         const CObservation& first = *members.front().obs;
-        to.turns.push_back({turns_++, scanClassOf(first, config_.sensorOf(first.sensorLabel)),
-                            std::move(members)});
+        to.turns.push_back(
+            {turns_++, scanClassOf(first, configs_.of(first.sensorLabel)), std::move(members)});
     }
 }
 

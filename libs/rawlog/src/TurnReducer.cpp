@@ -93,14 +93,12 @@ std::vector<uint8_t> removedSlots(const TurnScan& turn, const core::ReductionRes
 
 TurnReducer::TurnReducer(const core::LineMap& map, const PoseSource& poses, const Config& config,
                          OutputClass output)
-    : reducer_(map, config.reduction), poses_(poses), config_(config), output_(output) {
+    : reducer_(map, config.reduction),
+      poses_(poses),
+      config_(config),
+      sensors_(config),
+      output_(output) {
     config.validate();
-}
-
-const SensorConfig& TurnReducer::sensorOf(const std::string& label) {
-    const auto known = sensors_.find(label);
-    if (known != sensors_.end()) return known->second;
-    return sensors_.emplace(label, config_.sensorOf(label)).first->second;
 }
 
 CObservation::Ptr TurnReducer::select(const CObservation& obs, const ScanClass& scanClass,
@@ -115,7 +113,7 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     ReducedTurn out;
     size_t slots = 0;
     for (const auto& obs : turn) slots += scanClass.slotCount(*obs);
-    const SensorConfig& config = sensorOf(turn.front()->sensorLabel);
+    const SensorConfig& config = sensors_.of(turn.front()->sensorLabel);
     out.organized = scanClass.organize(turn, poses_, config);
     maskSelfReturns(out.organized, config);
     findRangeSigmas(out.organized, turn, scanClass, config, config_.reduction.alignment.sigmaRange);

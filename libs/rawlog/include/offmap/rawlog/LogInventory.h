@@ -8,6 +8,7 @@
 #include <offmap/rawlog/PoseCoverage.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/ScanClass.h>
+#include <offmap/rawlog/SensorConfigs.h>
 #include <offmap/rawlog/SensorModel.h>
 #include <offmap/rawlog/TurnCollector.h>
 
@@ -80,17 +81,15 @@ class LogInventory {
     void addScan(SensorInventory& sensor, const mrpt::obs::CObservation::Ptr& obs,
                  const SensorConfig& config);
     void countTurn(SensorInventory& sensor, const Turn& turn, const SensorConfig& config);
-    const SensorConfig& sensorOf(const std::string& label);
 
     const LogSurvey& survey_;
-    const Config& config_;
     std::filesystem::path input_;
     std::set<std::string> chosen_;
     std::vector<PoseCoverage*> coverages_;
     std::map<Sensor, SensorInventory> sensors_;
     EntryCounts entries_;
     std::optional<TimeSpan> span_, scanSpan_;
-    std::map<std::string, SensorConfig> configs_;  // by label, as far as seen
+    SensorConfigs configs_;
     core::LevelledScan levelled_;
     core::VerticalSegmentFinder finder_;
     std::vector<core::VerticalSegment> segments_;

@@ -5,6 +5,7 @@
 #include <offmap/rawlog/LogSurvey.h>
 #include <offmap/rawlog/RawlogReader.h>
 #include <offmap/rawlog/ScanClass.h>
+#include <offmap/rawlog/SensorConfigs.h>
 #include <offmap/rawlog/TurnCollector.h>
 
 #include <mrpt/core/Clock.h>
@@ -68,12 +69,12 @@ class LogTurns {
         double maxPause;  ///< [s]
     };
     void addObservation(TurnMember member, LogStretch& to);
-    bool loadIfExternal(TurnMember& member, LogStretch& to) const;
+    bool loadIfExternal(TurnMember& member, LogStretch& to);
     void endOverdueTurns(mrpt::Clock::time_point now, LogStretch& to);
     void addTurns(std::vector<std::vector<TurnMember>> turns, LogStretch& to);
 
     const LogSurvey& survey_;
-    const Config& config_;
+    SensorConfigs configs_;
     Settings settings_;
     std::map<std::string, OpenTurn> open_;  // by label
     uint64_t turns_ = 0;

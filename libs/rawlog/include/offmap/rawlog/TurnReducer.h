@@ -5,12 +5,12 @@
 #include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/PoseSource.h>
 #include <offmap/rawlog/ScanClass.h>
+#include <offmap/rawlog/SensorConfigs.h>
 #include <offmap/rawlog/TurnRecord.h>
 
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,7 +56,6 @@ class TurnReducer {
                                                           const ScanClass& scanClass) const;
 
  private:
-    const SensorConfig& sensorOf(const std::string& label);
     mrpt::obs::CObservation::Ptr select(const mrpt::obs::CObservation& obs,
                                         const ScanClass& scanClass, SlotMask keep,
                                         Leftovers leftovers, const SensorConfig& config) const;
@@ -64,7 +63,7 @@ class TurnReducer {
     core::Reducer reducer_;
     const PoseSource& poses_;
     Config config_;
-    std::map<std::string, SensorConfig> sensors_;  // by label, as far as seen
+    SensorConfigs sensors_;
     OutputClass output_;
     const core::ReductionResult* result_ = nullptr;
 };
