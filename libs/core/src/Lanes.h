@@ -19,6 +19,9 @@ using LaneNumbers [[gnu::vector_size(laneCount * sizeof(int32_t))]] = int32_t;
     std::memcpy(&lanes, values, sizeof lanes);
 }
 
+/// The same for a single number, so that code for both can be written once.
+[[gnu::always_inline]] inline void load(const float* values, float& number) { number = *values; }
+
 /// The greatest of all lanes ends up in each.
 template <class Numbers>
 [[gnu::always_inline]] inline void spreadGreatest(Numbers& v) {
@@ -41,10 +44,14 @@ inline constexpr uint32_t sumCount = 4;
 using Sums [[gnu::vector_size(sumCount * sizeof(double))]] = double;
 
 [[gnu::always_inline]] inline void load(const float* values, Sums& sums) {
-    using Floats [[gnu::vector_size(sumCount * sizeof(float))]] = float;
-    Floats floats;
-    std::memcpy(&floats, values, sizeof floats);
-    sums = __builtin_convertvector(floats, Sums);
+    sums = Sums{values[0], values[1], values[2], values[3]};  // becomes one conversion
+}
+
+/// Leaves the last of the lanes as they are, the others become 0.
+[[gnu::always_inline]] inline void keepLast(uint32_t lanes, Sums& sums) {
+    using Numbers [[gnu::vector_size(sizeof(Sums))]] = int64_t;
+    constexpr Numbers fromLast = {4, 3, 2, 1};
+    sums = fromLast <= int64_t{lanes} ? sums : Sums{};
 }
 
 [[gnu::always_inline]] inline double total(const Sums& sums) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Lanes.h"
+
 #include <offmap/core/PlanePoints.h>
 
 #include <cstdint>
+#include <cstring>
 
 namespace offmap::core {
 
@@ -19,8 +22,33 @@ inline bool isGapBehind(const PlanePoints& points, uint32_t before, double maxGa
                  static_cast<float>(maxGap * maxGap));
 }
 
-/// Where the points that lead up to `end` with no step above maxGap [m] begin.
-/// \pre 0 < end <= points.size()
-uint32_t beginOfRunWithoutGap(const PlanePoints& points, uint32_t end, double maxGap);
+/// Whether any of the steps from a point and those behind it is too wide.
+[[gnu::always_inline]] inline bool anyGap(const float* x, const float* y, float squaredGap) {
+    Lanes x0, x1, y0, y1;
+    load(x, x0);
+    load(x + 1, x1);
+    load(y, y0);
+    load(y + 1, y1);
+    const Lanes squares = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0);
+    const LaneNumbers gaps = squares > squaredGap;
+    uint64_t pairs[laneCount / 2];
+    std::memcpy(pairs, &gaps, sizeof pairs);
+    uint64_t any = 0;
+    for (const uint64_t pair : pairs) any |= pair;
+    return any != 0;
+}
+
+inline uint32_t beginOfRun(const float* x, const float* y, uint32_t end, float squaredGap) {
+    uint32_t i = end - 1;
+    while (i >= laneCount && !anyGap(x + i - laneCount, y + i - laneCount, squaredGap)) {
+        i -= laneCount;
+    }
+    while (i > 0 && !isGap(x + i - 1, y + i - 1, squaredGap)) --i;
+    return i;
+}
+
+inline uint32_t beginOfRunWithoutGap(const PlanePoints& points, uint32_t end, double maxGap) {
+    return beginOfRun(points.x.data(), points.y.data(), end, static_cast<float>(maxGap * maxGap));
+}
 
 }  // namespace offmap::core

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ByProcessor.h"
+#include "LaneFit.h"
 #include "OffsetsFromLine.h"
 #include "RunWithoutGap.h"
 
@@ -7,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace offmap::core {
 
@@ -25,22 +28,26 @@ struct Trial {
 /// What is split: points, and how far each may be off.
 class Splitting {
  public:
-    Splitting(const PlanePoints& points, const SplitAndMergeConfig& config, const RangeFits& fits)
-        : points_(points), config_(config), fits_(fits) {}
+    Splitting(const PlanePoints& points, const SplitAndMergeConfig& config)
+        : points_(points), config_(config) {}
 
     void cutAtGaps(std::vector<Run>& runs) const;
     Trial tried(const Run& run) const;
     uint32_t splitPoint(const Run& run, const std::optional<ScaledLine>& line) const;
+    std::pair<Run, Run> partsOf(const Run& run, uint32_t at) const;
     bool straysAlone(const Run& run, uint32_t point, const ScaledLine& line) const;
     void append(StraightRun last, std::vector<StraightRun>& straight) const;
     LinePiece pieceOf(const StraightRun& run) const;
-    void settleSeam(LinePiece& first, LinePiece& second) const;
+    void settleSeam(StraightRun& first, StraightRun& second) const;
     bool longEnough(const LinePiece& piece) const;
 
  private:
     bool isGap(uint32_t before) const { return isGapBehind(points_, before, config_.maxGap); }
     bool serves(const ScaledLine& line, const Run& run) const {
         return !offsets(run, line).anyBeyond(config_.maxPointToLine);
+    }
+    LineFit fitTo(uint32_t begin, uint32_t end) const {
+        return fitOf(points_.range(begin, end), points_[0]);
     }
     OffsetsFromLine offsets(const Run& run, const ScaledLine& line) const;
     ScaledLine chordOf(const Run& run) const;
@@ -51,7 +58,6 @@ class Splitting {
 
     const PlanePoints& points_;
     const SplitAndMergeConfig& config_;
-    const RangeFits& fits_;
 };
 
 /// Runs without gaps that are worth a look, the first one on top.
@@ -60,7 +66,7 @@ void Splitting::cutAtGaps(std::vector<Run>& runs) const {
     const auto least = std::max(config_.minPoints, 1u);
     for (auto end = static_cast<uint32_t>(points_.size()); end > 0;) {
         const uint32_t begin = beginOfRunWithoutGap(points_, end, config_.maxGap);
-        if (end - begin >= least) runs.push_back({begin, end});
+        if (end - begin >= least) runs.push_back({begin, end, fitTo(begin, end)});
         end = begin;
     }
 }
@@ -95,7 +101,7 @@ bool Splitting::mayBeStraight(uint32_t first, uint32_t between, uint32_t last) c
 Trial Splitting::tried(const Run& run) const {
     const bool few = run.end - run.begin <= 2;
     if (!few && !mayBeStraight(run)) return {std::nullopt, false};
-    const ScaledLine line = fits_.of(run.begin, run.end).scaledLine();
+    const ScaledLine line = run.fit.scaledLine();
     return {line, few || serves(line, run)};
 }
 
@@ -123,18 +129,31 @@ uint32_t Splitting::splitPoint(const Run& run, const std::optional<ScaledLine>& 
     return after(run.begin + offsets(run, chordOf(run)).furthest().point);
 }
 
+/// Sums are taken of the smaller part; the larger one has the rest.
+std::pair<Run, Run> Splitting::partsOf(const Run& run, uint32_t at) const {
+    std::pair<Run, Run> parts({run.begin, at, run.fit}, {at, run.end, run.fit});
+    const bool firstIsSmaller = at - run.begin < run.end - at;
+    Run& smaller = firstIsSmaller ? parts.first : parts.second;
+    Run& larger = firstIsSmaller ? parts.second : parts.first;
+    smaller.fit = fitTo(smaller.begin, smaller.end);
+    larger.fit.remove(smaller.fit);
+    return parts;
+}
+
 /// Merges a straight run with the ones before it while one line serves both.
 void Splitting::append(StraightRun last, std::vector<StraightRun>& straight) const {
     while (!straight.empty() && straight.back().end == last.begin && !isGap(last.begin - 1)) {
         const StraightRun& before = straight.back();
         if (!mayBeStraight(before.begin, last.begin, last.end - 1)) break;
-        const ScaledLine line = fits_.of(before.begin, last.end).scaledLine();
+        LineFit fit = before.fit;
+        fit.add(last.fit);
+        const ScaledLine line = fit.scaledLine();
         // The smaller of the two mostly tells.
         const bool beforeIsSmaller = before.end - before.begin < last.end - last.begin;
         const Run &smaller = beforeIsSmaller ? before : last,
                   &larger = beforeIsSmaller ? last : before;
         if (!serves(line, smaller) || !serves(line, larger)) break;
-        last = {{before.begin, last.end}, line};
+        last = {{before.begin, last.end, fit}, line};
         straight.pop_back();
     }
     straight.push_back(last);
@@ -146,23 +165,28 @@ LinePiece Splitting::pieceOf(const StraightRun& run) const {
 
 /// Splitting gives the points beside a corner to one piece or the other as the order has it. Moves
 /// the seam of two pieces, so that each point there belongs to the line it is nearer to.
-void Splitting::settleSeam(LinePiece& first, LinePiece& second) const {
+void Splitting::settleSeam(StraightRun& first, StraightRun& second) const {
     uint32_t seam = first.end;
     if (seam != second.begin || isGap(seam - 1)) return;
+    const LinePiece ofFirst = pieceOf(first), ofSecond = pieceOf(second);
     const auto claims = [&](const LinePiece& piece, const LinePiece& other, uint32_t i) {
         return piece.end - piece.begin >= config_.minPoints &&
                piece.line.distance(points_[i]) < other.line.distance(points_[i]);
     };
-    while (seam + 1 < second.end && claims(first, second, seam)) ++seam;
-    while (seam - 1 > first.begin && claims(second, first, seam - 1)) --seam;
+    while (seam + 1 < second.end && claims(ofFirst, ofSecond, seam)) ++seam;
+    while (seam - 1 > first.begin && claims(ofSecond, ofFirst, seam - 1)) --seam;
     if (seam == first.end) return;
-    const Run before{first.begin, seam}, behind{seam, second.end};
+    const bool grows = seam > first.end;
+    const LineFit moved = grows ? fitTo(first.end, seam) : fitTo(seam, first.end);
+    Run before{first.begin, seam, first.fit}, behind{seam, second.end, second.fit};
+    (grows ? before : behind).fit.add(moved);
+    (grows ? behind : before).fit.remove(moved);
     const Trial ofBefore = tried(before);
     if (!ofBefore.serves) return;
     const Trial ofBehind = tried(behind);
     if (!ofBehind.serves) return;
-    first = pieceOf({before, *ofBefore.line});
-    second = pieceOf({behind, *ofBehind.line});
+    first = {before, *ofBefore.line};
+    second = {behind, *ofBehind.line};
 }
 
 bool Splitting::longEnough(const LinePiece& piece) const {
@@ -181,12 +205,10 @@ bool Splitting::longEnough(const LinePiece& piece) const {
 
 }  // namespace
 
-std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
-                                         const SplitAndMergeConfig& config,
-                                         SplitAndMergeScratch& scratch) {
-    auto& [pending, straight, pieces, fits, x, y] = scratch;
-    fits.build(points);
-    const Splitting splitting(points, config, fits);
+OFFMAP_BY_PROCESSOR [[gnu::flatten]] std::span<const LinePiece> splitAndMerge(
+    const PlanePoints& points, const SplitAndMergeConfig& config, SplitAndMergeScratch& scratch) {
+    auto& [pending, straight, pieces, x, y] = scratch;
+    const Splitting splitting(points, config);
     straight.clear();
     pieces.clear();
     splitting.cutAtGaps(pending);
@@ -198,13 +220,15 @@ std::span<const LinePiece> splitAndMerge(const PlanePoints& points,
             splitting.append({run, *trial.line}, straight);
             continue;
         }
-        const uint32_t at = splitting.splitPoint(run, trial.line);
-        pending.push_back({at, run.end});
-        pending.push_back({run.begin, at});
+        const auto [first, second] = splitting.partsOf(run, splitting.splitPoint(run, trial.line));
+        pending.push_back(second);
+        pending.push_back(first);
     }
-    for (const StraightRun& run : straight) pieces.push_back(splitting.pieceOf(run));
-    for (size_t i = 1; i < pieces.size(); ++i) splitting.settleSeam(pieces[i - 1], pieces[i]);
-    std::erase_if(pieces, [&](const LinePiece& piece) { return !splitting.longEnough(piece); });
+    for (size_t i = 1; i < straight.size(); ++i) splitting.settleSeam(straight[i - 1], straight[i]);
+    for (const StraightRun& run : straight) {
+        const LinePiece piece = splitting.pieceOf(run);
+        if (splitting.longEnough(piece)) pieces.push_back(piece);
+    }
     return pieces;
 }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <offmap/core/PlanePoints.h>
-
 #include <mrpt/math/TPoint2D.h>
 
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace offmap::core {
 
@@ -38,45 +35,82 @@ struct ScaledLine {
 };
 
 /// Total least squares line through points that are added one by one. Sums are taken from the first
-/// point, so that far from the origin nothing is lost.
+/// point or from a chosen origin near the points, so that far from (0, 0) nothing is lost.
 class LineFit {
  public:
+    /// Of points as complex numbers z = x + iy, seen from an origin: all that their line depends
+    /// on.
+    struct Sums {
+        double x = 0, y = 0;  ///< [m] of z
+        double real = 0;      ///< [m^2] of the real part of z^2, x^2 - y^2
+        double halfImag = 0;  ///< [m^2] of half the imaginary part of z^2, x y
+
+        void add(double pointX, double pointY) {
+            x += pointX;
+            y += pointY;
+            real += pointX * pointX - pointY * pointY;
+            halfImag += pointX * pointY;
+        }
+    };
+
+    LineFit() = default;
+    LineFit(size_t count, const mrpt::math::TPoint2D& origin, const Sums& sums)
+        : count_(count), origin_(origin), sums_(sums) {}
+
     void add(const mrpt::math::TPoint2D& p) {
         if (count_ == 0) origin_ = p;
         ++count_;
-        const double x = p.x - origin_.x, y = p.y - origin_.y;
-        x_ += x;
-        y_ += y;
-        xx_ += x * x;
-        xy_ += x * y;
-        yy_ += y * y;
+        sums_.add(p.x - origin_.x, p.y - origin_.y);
     }
     /// As if the points of the other had been added one by one.
     void add(const LineFit& other);
+    /// As if some of its points had never been added. \pre `part` has the same origin
+    void remove(const LineFit& part);
     size_t count() const { return count_; }
 
     /// The line of least squared distances; through coinciding points, one along x.
-    FittedLine line() const;
+    FittedLine line() const { return scaledLine().withUnitVector(); }
     ScaledLine scaledLine() const;
 
  private:
-    friend class RangeFits;
-
     size_t count_ = 0;
     mrpt::math::TPoint2D origin_;
-    double x_ = 0, y_ = 0, xx_ = 0, xy_ = 0, yy_ = 0;
+    Sums sums_;
 };
 
 /// Through all of the points.
 LineFit fitOf(std::span<const mrpt::math::TPoint2D> points);
 
+inline void LineFit::add(const LineFit& other) {
+    if (count_ == 0) {
+        *this = other;
+        return;
+    }
+    // (z + d)^2 = z^2 + 2 z d + d^2
+    const double n = static_cast<double>(other.count_);
+    const double dx = other.origin_.x - origin_.x, dy = other.origin_.y - origin_.y;
+    const Sums& more = other.sums_;
+    count_ += other.count_;
+    sums_.x += more.x + n * dx;
+    sums_.y += more.y + n * dy;
+    sums_.real += more.real + 2 * (more.x * dx - more.y * dy) + n * (dx * dx - dy * dy);
+    sums_.halfImag += more.halfImag + more.x * dy + more.y * dx + n * dx * dy;
+}
+
+inline void LineFit::remove(const LineFit& part) {
+    count_ -= part.count_;
+    sums_.x -= part.sums_.x;
+    sums_.y -= part.sums_.y;
+    sums_.real -= part.sums_.real;
+    sums_.halfImag -= part.sums_.halfImag;
+}
+
 inline ScaledLine LineFit::scaledLine() const {
     const double n = static_cast<double>(count_);
-    const mrpt::math::TPoint2D point(origin_.x + x_ / n, origin_.y + y_ / n);
-    const double sxx = n * xx_ - x_ * x_, sxy = n * xy_ - x_ * y_, syy = n * yy_ - y_ * y_;
-    // The major axis of the 2x2 scatter [sxx sxy; sxy syy] stands at half the angle of
-    // (sxx - syy, 2 sxy).
-    const double difference = sxx - syy, doubled = 2 * sxy;
+    const auto& [x, y, real, halfImag] = sums_;
+    const mrpt::math::TPoint2D point(origin_.x + x / n, origin_.y + y / n);
+    // The major axis of the scatter stands at half the angle of n sum z^2 - (sum z)^2.
+    const double difference = n * real - (x * x - y * y), doubled = 2 * (n * halfImag - x * y);
     const double length = std::sqrt(difference * difference + doubled * doubled);
     if (length == 0) return {point, {1, 0}, 1};
     // Half-angle formulas, from the larger component, so that neither loses digits.
@@ -85,21 +119,5 @@ inline ScaledLine LineFit::scaledLine() const {
                                                        : mrpt::math::TPoint2D(doubled, larger);
     return {point, along, 2 * length * larger};
 }
-
-/// The fits of all ranges of a list of points, each had in constant time from running sums.
-class RangeFits {
- public:
-    void build(const PlanePoints& points);
-
-    /// \pre begin < end
-    LineFit of(size_t begin, size_t end) const;
-
- private:
-    struct Sums {
-        double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-    };
-    mrpt::math::TPoint2D origin_;
-    std::vector<Sums> before_;  // each point, and the end
-};
 
 }  // namespace offmap::core

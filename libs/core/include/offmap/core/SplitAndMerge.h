@@ -28,8 +28,10 @@ struct LinePiece {
 
 /// Working memory, and the owner of the result.
 struct SplitAndMergeScratch {
+    /// Points that follow each other without a gap, and their fit.
     struct Run {
         uint32_t begin, end;
+        LineFit fit;
     };
     /// With the line that serves it.
     struct StraightRun : Run {
@@ -38,7 +40,6 @@ struct SplitAndMergeScratch {
     std::vector<Run> pending;
     std::vector<StraightRun> straight;
     std::vector<LinePiece> pieces;
-    RangeFits fits;
     std::vector<float> x, y;  ///< [m] of points that came pair by pair, from the first of them
 };
 

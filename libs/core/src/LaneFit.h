@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Lanes.h"
+
+#include <offmap/core/LineFit.h>
+#include <offmap/core/PlanePoints.h>
+
+#include <cstdint>
+
+namespace offmap::core {
+
+/// Sums over points as LineFit takes them, four points at a time.
+class LaneSums {
+ public:
+    explicit LaneSums(const mrpt::math::TPoint2D& origin) : origin_(origin) {}
+
+    /// \param last so many of the four count, the last ones
+    [[gnu::always_inline]] void add(const float* xs, const float* ys, uint32_t last = sumCount) {
+        Sums x, y;
+        load(xs, x);
+        load(ys, y);
+        x -= origin_.x;
+        y -= origin_.y;
+        if (last < sumCount) {
+            keepLast(last, x);
+            keepLast(last, y);
+        }
+        x_ += x;
+        y_ += y;
+        real_ += x * x - y * y;
+        halfImag_ += x * y;
+    }
+    LineFit fit(uint32_t count) const {
+        return {count, origin_, {total(x_), total(y_), total(real_), total(halfImag_)}};
+    }
+
+ private:
+    mrpt::math::TPoint2D origin_;
+    Sums x_{}, y_{}, real_{}, halfImag_{};
+};
+
+/// Through all of the points; the sums are taken from the origin.
+[[gnu::always_inline]] inline LineFit fitOf(const PlanePoints& points,
+                                            const mrpt::math::TPoint2D& origin) {
+    const auto count = static_cast<uint32_t>(points.size());
+    const float *x = points.x.data(), *y = points.y.data();
+    if (count < sumCount) {
+        LineFit::Sums sums;
+        for (uint32_t i = 0; i < count; ++i) sums.add(x[i] - origin.x, y[i] - origin.y);
+        return {count, origin, sums};
+    }
+    LaneSums sums(origin);
+    const uint32_t last = count - sumCount;
+    uint32_t i = 0;
+    for (; i <= last; i += sumCount) sums.add(x + i, y + i);
+    sums.add(x + last, y + last, count - i);
+    return sums.fit(count);
+}
+
+}  // namespace offmap::core
