@@ -33,8 +33,7 @@ class Splitting {
 
     void cutAtGaps(std::vector<Run>& runs) const;
     Trial tried(const Run& run) const;
-    uint32_t splitPoint(const Run& run, const std::optional<ScaledLine>& line) const;
-    std::pair<Run, Run> partsOf(const Run& run, uint32_t at) const;
+    std::pair<Run, Run> split(const Run& run, const std::optional<ScaledLine>& line) const;
     bool straysAlone(const Run& run, uint32_t point, const ScaledLine& line) const;
     void append(StraightRun last, std::vector<StraightRun>& straight) const;
     LinePiece pieceOf(const StraightRun& run) const;
@@ -42,6 +41,7 @@ class Splitting {
     bool longEnough(const LinePiece& piece) const;
 
  private:
+    uint32_t leastPoints() const { return std::max(config_.minPoints, 1u); }
     bool isGap(uint32_t before) const { return isGapBehind(points_, before, config_.maxGap); }
     bool serves(const ScaledLine& line, const Run& run) const {
         return !offsets(run, line).anyBeyond(config_.maxPointToLine);
@@ -49,6 +49,7 @@ class Splitting {
     LineFit fitTo(uint32_t begin, uint32_t end) const {
         return fitOf(points_.range(begin, end), points_[0]);
     }
+    std::pair<Run, Run> partsOf(const Run& run, uint32_t end, uint32_t begin) const;
     OffsetsFromLine offsets(const Run& run, const ScaledLine& line) const;
     ScaledLine chordOf(const Run& run) const;
     bool mayBeStraight(uint32_t first, uint32_t between, uint32_t last) const;
@@ -63,10 +64,9 @@ class Splitting {
 /// Runs without gaps that are worth a look, the first one on top.
 void Splitting::cutAtGaps(std::vector<Run>& runs) const {
     runs.clear();
-    const auto least = std::max(config_.minPoints, 1u);
     for (auto end = static_cast<uint32_t>(points_.size()); end > 0;) {
         const uint32_t begin = beginOfRunWithoutGap(points_, end, config_.maxGap);
-        if (end - begin >= least) runs.push_back({begin, end, fitTo(begin, end)});
+        if (end - begin >= leastPoints()) runs.push_back({begin, end, fitTo(begin, end)});
         end = begin;
     }
 }
@@ -115,28 +115,35 @@ bool Splitting::straysAlone(const Run& run, uint32_t point, const ScaledLine& li
     return (point == run.begin || isNear(point - 1)) && (point + 1 == run.end || isNear(point + 1));
 }
 
-/// Where a run that its line does not serve is split: at the point that strays from it, if that
-/// does so alone; its chord has the noise of two points. Else at the one furthest from its chord,
-/// which mostly is a corner. It begins the second part. \param line of its trial
-uint32_t Splitting::splitPoint(const Run& run, const std::optional<ScaledLine>& line) const {
-    const auto after = [&](uint32_t point) {
-        return std::clamp(point, run.begin + 1, run.end - 1);
+/// Splits a run that its line does not serve. If one point strays from that line alone, at it: its
+/// chord has the noise of two points. The point is left out if what is left on either side of it
+/// can be a piece. Else at the point furthest from its chord, which mostly is a corner; it begins
+/// the second part. \param line of its trial
+std::pair<Run, Run> Splitting::split(const Run& run, const std::optional<ScaledLine>& line) const {
+    const auto before = [&](uint32_t point) {
+        const uint32_t at = std::clamp(point, run.begin + 1, run.end - 1);
+        return partsOf(run, at, at);
     };
     if (line) {
         const uint32_t stray = run.begin + offsets(run, *line).furthest().point;
-        if (straysAlone(run, stray, *line)) return after(stray);
+        if (straysAlone(run, stray, *line)) {
+            const uint32_t shorter = std::min(stray - run.begin, run.end - (stray + 1));
+            return shorter < leastPoints() ? before(stray) : partsOf(run, stray, stray + 1);
+        }
     }
-    return after(run.begin + offsets(run, chordOf(run)).furthest().point);
+    return before(run.begin + offsets(run, chordOf(run)).furthest().point);
 }
 
-/// Sums are taken of the smaller part; the larger one has the rest.
-std::pair<Run, Run> Splitting::partsOf(const Run& run, uint32_t at) const {
-    std::pair<Run, Run> parts({run.begin, at, run.fit}, {at, run.end, run.fit});
-    const bool firstIsSmaller = at - run.begin < run.end - at;
+/// What ends at `end`, and what begins at `begin`. Sums are taken of the smaller part; the larger
+/// one has the rest.
+std::pair<Run, Run> Splitting::partsOf(const Run& run, uint32_t end, uint32_t begin) const {
+    std::pair<Run, Run> parts({run.begin, end, run.fit}, {begin, run.end, run.fit});
+    const bool firstIsSmaller = end - run.begin < run.end - begin;
     Run& smaller = firstIsSmaller ? parts.first : parts.second;
     Run& larger = firstIsSmaller ? parts.second : parts.first;
     smaller.fit = fitTo(smaller.begin, smaller.end);
     larger.fit.remove(smaller.fit);
+    if (begin > end) larger.fit.remove(fitTo(end, begin));
     return parts;
 }
 
@@ -220,7 +227,7 @@ OFFMAP_BY_PROCESSOR [[gnu::flatten]] std::span<const LinePiece> splitAndMerge(
             splitting.append({run, *trial.line}, straight);
             continue;
         }
-        const auto [first, second] = splitting.partsOf(run, splitting.splitPoint(run, trial.line));
+        const auto [first, second] = splitting.split(run, trial.line);
         pending.push_back(second);
         pending.push_back(first);
     }
