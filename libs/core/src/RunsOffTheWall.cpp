@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Lanes.h"
+#include "ByProcessor.h"
+#include "LaneExtent.h"
 #include "RootOfSquares.h"
 #include "SegmentAtWall.h"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace offmap::core {
 
@@ -42,22 +44,40 @@ bool standsOff(const Run& run, uint32_t count, double common, const ReturnOffset
     return std::abs(run.sum) / count > limit;
 }
 
+struct LineInFloats {
+    explicit LineInFloats(const LinearDistance& behind)
+        : ofSensor(static_cast<float>(behind.ofSensor)),
+          perX(static_cast<float>(behind.perGround.x)),
+          perY(static_cast<float>(behind.perGround.y)),
+          perHeight(static_cast<float>(behind.perHeight)) {}
+    float ofSensor;               // [m]
+    float perX, perY, perHeight;  // [-]
+};
+
+/// [m] How far returns stand behind a straight line.
+[[gnu::flatten]] OFFMAP_BY_PROCESSOR Extent extentBehind(const float* x, const float* y,
+                                                         const float* z, uint32_t count,
+                                                         const LineInFloats& line) {
+    return extentOf(count, [&](uint32_t i, auto& behind) {
+        std::remove_cvref_t<decltype(behind)> east, north, up;
+        load(x + i, east);
+        load(y + i, north);
+        load(z + i, up);
+        behind = line.ofSensor + line.perX * east + line.perY * north + line.perHeight * up;
+    });
+}
+
 /// Whether no run of a segment can stand off the wall, because not one of its returns does. Tells
 /// so of most, at the cost of a glance.
 bool allNear(const SegmentAtWall& atWall, const VerticalSegment& segment, uint32_t wall,
              const ReturnOffsets& offsets) {
     if (!atWall.isStraight()) return false;
     const LevelledScan& levelled = offsets.levelled();
-    const uint32_t begin = segment.begin, count = segment.end - begin;
-    const auto x = arrayOf(std::span(levelled.x).subspan(begin, count));
-    const auto y = arrayOf(std::span(levelled.y).subspan(begin, count));
-    const auto z = arrayOf(std::span(levelled.z).subspan(begin, count));
-    const LinearDistance& behind = atWall.linear();
-    const auto ofSensor = static_cast<float>(behind.ofSensor);
-    const auto perX = static_cast<float>(behind.perGround.x);
-    const auto perY = static_cast<float>(behind.perGround.y);
-    const auto perHeight = static_cast<float>(behind.perHeight);
-    const double furthest = (ofSensor + perX * x + perY * y + perHeight * z).abs().maxCoeff();
+    const uint32_t begin = segment.begin;
+    const Extent behind =
+        extentBehind(levelled.x.data() + begin, levelled.y.data() + begin,
+                     levelled.z.data() + begin, segment.end - begin, LineInFloats(atWall.linear()));
+    const double furthest = std::max(-behind.least, behind.greatest);
     // What standsOff() asks for, at least.
     constexpr double rounding = 1e-4;  // [m] of floats within 100 m
     const double leastSigma = offsets.scan().rangeSigma.empty() ? offsets.config().sigmaRange : 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ByProcessor.h"
+#include "LaneExtent.h"
 #include "Lanes.h"
 
 #include <offmap/core/VerticalSegments.h>
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace offmap::core {
 
@@ -14,35 +16,58 @@ using mrpt::math::TPoint2D;
 namespace {
 
 OFFMAP_BY_PROCESSOR TPoint2D centreOf(const float* x, const float* y, uint32_t count) {
-    const uint32_t blocks = count / sumCount * sumCount;
+    if (count < sumCount) {
+        TPoint2D sum;
+        for (uint32_t i = 0; i < count; ++i) sum += TPoint2D(x[i], y[i]);
+        return sum * (1.0 / count);
+    }
+    const uint32_t last = count - sumCount;
     Sums sumsX{}, sumsY{}, more;
-    for (uint32_t i = 0; i < blocks; i += sumCount) {
+    uint32_t i = 0;
+    for (; i <= last; i += sumCount) {
         load(x + i, more);
         sumsX += more;
         load(y + i, more);
         sumsY += more;
     }
-    TPoint2D sum(total(sumsX), total(sumsY));
-    for (uint32_t i = blocks; i < count; ++i) sum += TPoint2D(x[i], y[i]);
-    return sum * (1.0 / count);
+    load(x + last, more);
+    keepLast(count - i, more);
+    sumsX += more;
+    load(y + last, more);
+    keepLast(count - i, more);
+    sumsY += more;
+    return TPoint2D(total(sumsX), total(sumsY)) * (1.0 / count);
+}
+
+/// [m] Of points along a line, from a point on it. \param x, y of the first one
+[[gnu::flatten]] OFFMAP_BY_PROCESSOR Extent extentAlong(const float* x, const float* y,
+                                                        uint32_t count, float lineX, float lineY,
+                                                        float alongX, float alongY) {
+    return extentOf(count, [&](uint32_t i, auto& along) {
+        std::remove_cvref_t<decltype(along)> pointX, pointY;
+        load(x + i, pointX);
+        load(y + i, pointY);
+        along = (pointX - lineX) * alongX + (pointY - lineY) * alongY;
+    });
+}
+
+[[gnu::flatten]] OFFMAP_BY_PROCESSOR Extent extentAmong(const float* values, uint32_t count) {
+    return extentOf(count, [&](uint32_t i, auto& numbers) { load(values + i, numbers); });
 }
 
 constexpr double rounding = 1e-9;
 
 /// The ends of a piece, and where it stands.
 void measure(const LinePiece& piece, const LevelledScan& levelled, VerticalSegment& segment) {
-    const auto floats = [](const TPoint2D& p) {
-        return Eigen::Array2f(static_cast<float>(p.x), static_cast<float>(p.y));
-    };
-    const Eigen::Array2f point = floats(piece.line.point), direction = floats(piece.line.direction);
-    const PlanePoints profile = levelled.profile(segment.begin, segment.end);
-    const auto along = (arrayOf(profile.x) - point.x()) * direction.x() +
-                       (arrayOf(profile.y) - point.y()) * direction.y();
-    segment.bottom = piece.line.at(static_cast<double>(along.minCoeff()));
-    segment.top = piece.line.at(static_cast<double>(along.maxCoeff()));
+    const uint32_t begin = segment.begin, count = segment.end - begin;
+    const auto [least, greatest] = extentAlong(
+        levelled.range.data() + begin, levelled.z.data() + begin, count,
+        static_cast<float>(piece.line.point.x), static_cast<float>(piece.line.point.y),
+        static_cast<float>(piece.line.direction.x), static_cast<float>(piece.line.direction.y));
+    segment.bottom = piece.line.at(static_cast<double>(least));
+    segment.top = piece.line.at(static_cast<double>(greatest));
     if (segment.bottom.y > segment.top.y) std::swap(segment.bottom, segment.top);
-    segment.centre = centreOf(levelled.x.data() + segment.begin, levelled.y.data() + segment.begin,
-                              segment.end - segment.begin);
+    segment.centre = centreOf(levelled.x.data() + begin, levelled.y.data() + begin, count);
 }
 
 }  // namespace
@@ -89,11 +114,13 @@ void VerticalSegmentFinder::find(const OrganizedScan& scan, const LevelledScan& 
 
 Interval groundInterval(const VerticalSegment& segment, const LevelledScan& levelled,
                         double maxMountingSlope) {
-    const auto [range, z] = levelled.profile(segment.begin, segment.end);
-    const double nearest = arrayOf(range).minCoeff(), furthest = arrayOf(range).maxCoeff();
-    const double height = arrayOf(z).abs().maxCoeff();  // of the end furthest from the sensor's
-    const double margin = height * maxMountingSlope;    // eqs. 4, 5
-    return {nearest - margin, furthest + margin};       // eq. 3
+    const uint32_t begin = segment.begin, count = segment.end - begin;
+    const auto [nearest, furthest] = extentAmong(levelled.range.data() + begin, count);
+    const auto [lowest, highest] = extentAmong(levelled.z.data() + begin, count);
+    const double height = std::max(-lowest, highest);  // of the end furthest from the sensor's
+    const double margin = height * maxMountingSlope;   // eqs. 4, 5
+    return {static_cast<double>(nearest) - margin,
+            static_cast<double>(furthest) + margin};  // eq. 3
 }
 
 }  // namespace offmap::core
