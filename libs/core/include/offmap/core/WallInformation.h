@@ -20,13 +20,11 @@ class WallInformation {
     void marginalise(double sigma, Matrix5& information, Vector5& slope) const;
 
  private:
-    using Matrix52 = Eigen::Matrix<double, 5, 2>;
+    using Vector8 = Eigen::Matrix<double, 8, 1>;
+    using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
-    Matrix5 pose_ = Matrix5::Zero();                       // sum w J J^T
-    Vector5 poseSlope_ = Vector5::Zero();                  // sum w J e
-    Matrix52 poseAndEnds_ = Matrix52::Zero();              // sum w J s^T, s: share of each end
-    Eigen::Matrix2d ends_ = Eigen::Matrix2d::Zero();       // sum w s s^T
-    Eigen::Vector2d endsSlope_ = Eigen::Vector2d::Zero();  // sum w s e
+    Matrix8 squares_ = Matrix8::Zero();  // sum w v v^T, v: gradient, share of each end, distance;
+                                         // the lower triangle
 };
 
 }  // namespace offmap::core
