@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -17,14 +18,23 @@ constexpr uint32_t reach = 3;  // columns to either side that a removed wall is 
 /// [m] Within it, the foot of a wall cannot be told from the floor, nor its top from the ceiling.
 constexpr double edge = 0.08;
 
-void join(std::vector<RemovedWall>& walls, const RemovedWall& more) {
-    const auto known = std::ranges::find(walls, more.wall, &RemovedWall::wall);
-    if (known == walls.end()) {
-        walls.push_back(more);
-        return;
+void extend(RemovedWall& wall, const RemovedWall& more) {
+    wall.low = std::min(wall.low, more.low);
+    wall.high = std::max(wall.high, more.high);
+}
+
+/// Those of neighbouring columns mostly are of one wall.
+void join(std::vector<RemovedWall>& walls, std::span<const RemovedWall> more) {
+    for (size_t i = 0; i < more.size();) {
+        RemovedWall wall = more[i];
+        while (++i < more.size() && more[i].wall == wall.wall) extend(wall, more[i]);
+        const auto known = std::ranges::find(walls, wall.wall, &RemovedWall::wall);
+        if (known == walls.end()) {
+            walls.push_back(wall);
+        } else {
+            extend(*known, wall);
+        }
     }
-    known->low = std::min(known->low, more.low);
-    known->high = std::max(known->high, more.high);
 }
 
 /// The removed walls of each column.
@@ -44,12 +54,14 @@ void findNear(uint32_t column, LooseReturnsScratch& scratch) {
     scratch.near.clear();
     const auto columns = static_cast<uint32_t>(scratch.first.size() - 1);
     if (columns <= 2 * reach) return;
-    for (uint32_t step = 0; step <= 2 * reach; ++step) {
-        const uint32_t c = (column + columns - reach + step) % columns;
-        for (uint32_t i = scratch.first[c]; i < scratch.first[c + 1]; ++i) {
-            join(scratch.near, scratch.removed[i]);
-        }
-    }
+    const auto joinColumns = [&](uint32_t begin, uint32_t end) {
+        const uint32_t first = scratch.first[begin];
+        join(scratch.near, std::span(scratch.removed).subspan(first, scratch.first[end] - first));
+    };
+    const uint32_t begin = std::max(column, reach) - reach, end = column + reach + 1;
+    if (column < reach) joinColumns(columns + column - reach, columns);
+    joinColumns(begin, std::min(end, columns));
+    if (end > columns) joinColumns(0, end - columns);
 }
 
 /// The returns of one column at the walls near it.
@@ -65,6 +77,8 @@ class ColumnAtWalls {
         openPerHeight_ = sigma[2] * (std::abs(mean[3]) + std::abs(mean[4])) + sigma[3] + sigma[4];
         scratch.behind.clear();
         for (const RemovedWall& removed : scratch.near) {
+            lowest_ = std::min(lowest_, removed.low + edge);
+            highest_ = std::max(highest_, removed.high - edge);
             const Wall& wall = offsets.wall(removed.wall);
             const TPoint2D along = wall.line.point2 - wall.line.point1;
             scratch.behind.push_back(column_.distanceBehind(
@@ -73,9 +87,10 @@ class ColumnAtWalls {
     }
 
     bool isOnAny(uint32_t point) const {
+        const double z = offsets_.z(point);
+        if (z < lowest_ || z > highest_) return false;  // mostly floor
         for (size_t i = 0; i < scratch_.near.size(); ++i) {
             const RemovedWall& removed = scratch_.near[i];
-            const double z = offsets_.z(point);
             if (z < removed.low + edge || z > removed.high - edge) continue;
             if (isFarFrom(i, point)) continue;
             const WallOffset offset = offsets_.of(point, column_, removed.wall);
@@ -99,10 +114,32 @@ class ColumnAtWalls {
     const ReturnOffsets& offsets_;
     CorrectedColumn column_;
     LooseReturnsScratch& scratch_;
+    double lowest_ = std::numeric_limits<double>::infinity();  // [m] of all of the walls
+    double highest_ = -lowest_;
     double openAtSensor_;   // [m] bound of what the poses leave open across any wall
     double openPerRange_;   // [-] and more per ground range
     double openPerHeight_;  // [-] and per height
 };
+
+/// Those of a column, which are the first of those that are left.
+std::span<const VerticalSegment> segmentsOf(uint32_t column,
+                                            std::span<const VerticalSegment> left) {
+    const auto end = std::ranges::find_if(
+        left, [&](const VerticalSegment& segment) { return segment.column != column; });
+    return {left.begin(), end};
+}
+
+/// Calls use(point) for what lies on no segment of a column.
+template <class Use>
+void forEachBeside(std::span<const VerticalSegment> segments, const ScanColumn& column,
+                   const Use& use) {
+    uint32_t i = column.begin;
+    for (const VerticalSegment& segment : segments) {
+        for (; i < segment.begin; ++i) use(i);
+        i = segment.end;
+    }
+    for (; i < column.end; ++i) use(i);
+}
 
 }  // namespace
 
@@ -112,14 +149,16 @@ void labelLooseReturns(const ReturnOffsets& offsets, std::span<const VerticalSeg
     const auto& columns = offsets.scan().columns;
     findRemoved(columns.size(), segments, matches, scratch);
     for (uint32_t c = 0; c < columns.size(); ++c) {
+        const auto own = segmentsOf(c, segments);
+        segments = segments.subspan(own.size());
         if (!columns[c].sensor || columns[c].begin == columns[c].end) continue;
         findNear(c, scratch);
         if (scratch.near.empty()) continue;
         const ColumnAtWalls walls(offsets, c, scratch);
-        for (uint32_t i = columns[c].begin; i < columns[c].end; ++i) {
-            if (labels[i] != PointLabel::NotOnVerticalSegment) continue;
-            if (walls.isOnAny(i)) labels[i] = PointLabel::Mapped;
-        }
+        forEachBeside(own, columns[c], [&](uint32_t i) {
+            const bool isLoose = labels[i] == PointLabel::NotOnVerticalSegment;
+            if (isLoose && walls.isOnAny(i)) labels[i] = PointLabel::Mapped;
+        });
     }
 }
 
