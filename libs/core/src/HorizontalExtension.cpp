@@ -143,6 +143,24 @@ bool Extender::mapConsents(uint32_t s) const {
     return map_.nearestWall(byColumn_.centreInMap(s), tolerance, z).has_value();
 }
 
+/// The segments that rays have matched. Neighbours mostly are on one wall, so runs of them are
+/// sorted instead of themselves.
+void findMatched(std::span<const SegmentMatch> matches, ExtensionScratch& scratch) {
+    auto& [matched, runs, ofWall, chain, splitting] = scratch;
+    matched.clear();
+    runs.clear();
+    for (uint32_t s = 0; s < matches.size(); ++s) {
+        if (matches[s].verdict != Verdict::MappedByRay) continue;
+        const auto at = static_cast<uint32_t>(matched.size());
+        if (runs.empty() || runs.back().wall != *matches[s].wall) {
+            runs.push_back({*matches[s].wall, at, at});
+        }
+        matched.push_back(s);
+        runs.back().end = at + 1;
+    }
+    std::ranges::sort(runs);
+}
+
 }  // namespace
 
 void extendAlongWalls(const ColumnRing& ring, std::span<const VerticalSegment> segments,
@@ -150,21 +168,17 @@ void extendAlongWalls(const ColumnRing& ring, std::span<const VerticalSegment> s
                       std::span<const std::optional<Viewpoint>> viewpoints, const LineMap& map,
                       const ReductionConfig& config, ExtensionScratch& scratch,
                       std::span<SegmentMatch> matches) {
-    std::vector<uint32_t>& matched = scratch.matched;
-    matched.clear();
-    for (uint32_t s = 0; s < segments.size(); ++s) {
-        if (matches[s].verdict == Verdict::MappedByRay) matched.push_back(s);
-    }
-    std::sort(matched.begin(), matched.end(), [&](uint32_t a, uint32_t b) {
-        return std::pair(*matches[a].wall, a) < std::pair(*matches[b].wall, b);
-    });
+    findMatched(matches, scratch);
     Extender extender(ring, segments, byColumn, viewpoints, map, config, scratch, matches);
-    for (auto begin = matched.begin(); begin != matched.end();) {
-        const uint32_t wall = *matches[*begin].wall;
-        const auto end = std::find_if(begin, matched.end(),
-                                      [&](uint32_t s) { return *matches[s].wall != wall; });
-        extender.extendWall({begin, end});
-        begin = end;
+    std::vector<uint32_t>& ofWall = scratch.ofWall;
+    for (auto run = scratch.runs.begin(); run != scratch.runs.end();) {
+        const uint32_t wall = run->wall;
+        ofWall.clear();
+        for (; run != scratch.runs.end() && run->wall == wall; ++run) {
+            ofWall.insert(ofWall.end(), scratch.matched.begin() + run->begin,
+                          scratch.matched.begin() + run->end);
+        }
+        extender.extendWall(ofWall);
     }
 }
 

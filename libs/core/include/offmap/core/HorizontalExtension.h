@@ -19,8 +19,15 @@ namespace offmap::core {
 
 /// Working memory.
 struct ExtensionScratch {
-    std::vector<uint32_t> matched;            ///< segments by wall, then by column
-    std::vector<mrpt::math::TPoint2D> chain;  ///< [m] centres of one wall's matched segments
+    /// Runs of segments in their order that were matched with one wall, sorted by wall.
+    struct RunOnWall {
+        uint32_t wall, begin, end;  ///< half-open range into `matched`
+        auto operator<=>(const RunOnWall&) const = default;
+    };
+    std::vector<uint32_t> matched;  ///< segments by column
+    std::vector<RunOnWall> runs;
+    std::vector<uint32_t> ofWall;             ///< one wall's matched segments, by column
+    std::vector<mrpt::math::TPoint2D> chain;  ///< [m] centres of some of these
     SplitAndMergeScratch splitting;
 };
 
