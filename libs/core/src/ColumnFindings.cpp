@@ -79,9 +79,8 @@ void ColumnFindings::addSights(const OrganizedScan& scan, const ReductionResult&
     for (size_t s = firstSegment; s < result.segments.size(); ++s) {
         const VerticalSegment& segment = result.segments[s];
         if (!viewpoints_[segment.column]) continue;
-        const auto sight =
-            sightOf(static_cast<uint32_t>(s), segment, scan, levelled_, places_[segment.column]);
-        if (sight) sights_.push_back(*sight);
+        appendSight(static_cast<uint32_t>(s), segment, scan, levelled_, places_[segment.column],
+                    sights_);
     }
 }
 

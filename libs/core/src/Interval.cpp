@@ -7,11 +7,9 @@
 
 namespace offmap::core {
 
-Interval::Interval(double min, double max) : min_(min), max_(max) {
-    if (!(min <= max)) {
-        throw std::invalid_argument("interval [" + std::to_string(min) + ", " +
-                                    std::to_string(max) + "] has its ends the wrong way round");
-    }
+void Interval::refuse() const {
+    throw std::invalid_argument("interval [" + std::to_string(min_) + ", " + std::to_string(max_) +
+                                "] has its ends the wrong way round");
 }
 
 Interval Interval::everything() {

@@ -51,7 +51,8 @@ WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction,
     const double across = dot(normal, beam);
     const double variance = gradient.dot(correction.covariance * gradient) +
                             wall.sigma * wall.sigma + across * across * noise;
-    return {distanceBehind(place, wall, normal), distanceTo(wall, place), std::sqrt(variance)};
+    return {distanceBehind(place, wall, normal), distanceTo(wall, place), std::sqrt(variance),
+            across};
 }
 
 namespace {
@@ -92,8 +93,7 @@ SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
                                              noiseOf(sight, config.alignment));
         const double gate = config.alignment.gate;
         if (offset.distance <= gate * offset.sigma) {
-            const double across = dot(normalAwayFrom(sight.beam, wall, place), sight.beam);
-            predict(offset.behind, offset.sigma, across, gate, match);
+            predict(offset.behind, offset.sigma, offset.across, gate, match);
             match.verdict = Verdict::MappedByRay;
             match.reason = KeepReason::None;
             match.wall = near->wall;

@@ -84,21 +84,22 @@ std::optional<double> rangeSigmaOf(const OrganizedScan& scan, const VerticalSegm
 
 }  // namespace
 
-std::optional<WallSight> sightOf(uint32_t index, const VerticalSegment& segment,
-                                 const OrganizedScan& scan, const LevelledScan& levelled,
-                                 const ColumnPlace& place) {
+void appendSight(uint32_t index, const VerticalSegment& segment, const OrganizedScan& scan,
+                 const LevelledScan& levelled, const ColumnPlace& place,
+                 std::vector<WallSight>& sights) {
     const double range = segment.centre.norm();
-    if (!(range > 0)) return std::nullopt;
+    if (!(range > 0)) return;
     const HeightRegression line(segment, levelled);
+    WallSight& sight = sights.emplace_back();  // in place: what is copied has to wait to be written
+    sight.segment = index;
+    sight.place = place;
+    sight.lower = line.below();
+    sight.upper = line.above();
+    sight.beam = segment.centre * (1 / range);
     const double sensorHeight = scan.columns[segment.column].sensor->sensorInMap.z();
-    return WallSight{index,
-                     place,
-                     line.below(),
-                     line.above(),
-                     segment.centre * (1 / range),
-                     sensorHeight + line.meanHeight(),
-                     segment.end - segment.begin,
-                     rangeSigmaOf(scan, segment)};
+    sight.heightInMap = sensorHeight + line.meanHeight();
+    sight.returns = segment.end - segment.begin;
+    sight.rangeSigma = rangeSigmaOf(scan, segment);
 }
 
 void findSights(const OrganizedScan& scan, const LevelledScan& levelled,
@@ -108,8 +109,7 @@ void findSights(const OrganizedScan& scan, const LevelledScan& levelled,
     for (uint32_t s = 0; s < segments.size(); ++s) {
         const VerticalSegment& segment = segments[s];
         if (!scan.columns[segment.column].sensor) continue;
-        const auto sight = sightOf(s, segment, scan, levelled, places[segment.column]);
-        if (sight) sights.push_back(*sight);
+        appendSight(s, segment, scan, levelled, places[segment.column], sights);
     }
 }
 

@@ -8,7 +8,9 @@ namespace offmap::core {
 class Interval {
  public:
     /// \throw std::invalid_argument unless min <= max (so never with NaN).
-    Interval(double min, double max);
+    Interval(double min, double max) : min_(min), max_(max) {
+        if (!(min <= max)) refuse();
+    }
 
     /// The interval [centre - radius, centre + radius]. \throw std::invalid_argument if radius < 0.
     static Interval around(double centre, double radius) {
@@ -33,6 +35,8 @@ class Interval {
     bool operator==(const Interval&) const = default;
 
  private:
+    [[noreturn]] void refuse() const;
+
     double min_, max_;
 };
 

@@ -21,6 +21,7 @@ struct WallOffset {
     double behind;    ///< [m] distanceBehind()
     double distance;  ///< [m] from the wall, which has ends
     double sigma;     ///< [m] of `behind`: pose, map and sensor
+    double across;    ///< [-] sine of the beam's incidence angle
 };
 
 /// \param noise [m^2] variance of the place along the beam

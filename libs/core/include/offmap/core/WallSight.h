@@ -31,11 +31,11 @@ struct WallSight {
     }
 };
 
-/// The sight of a segment; none if it stands at the sensor.
+/// Appends the sight of a segment, unless it stands at the sensor.
 /// \param place of its column, which has a pose
-std::optional<WallSight> sightOf(uint32_t index, const VerticalSegment& segment,
-                                 const OrganizedScan& scan, const LevelledScan& levelled,
-                                 const ColumnPlace& place);
+void appendSight(uint32_t index, const VerticalSegment& segment, const OrganizedScan& scan,
+                 const LevelledScan& levelled, const ColumnPlace& place,
+                 std::vector<WallSight>& sights);
 
 /// The sights of all segments whose column has a pose, in the order of the segments.
 /// \param places of the scan's columns
