@@ -5,7 +5,7 @@
 #include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
-#include <optional>
+#include <cstddef>
 
 namespace offmap::rawlog {
 
@@ -19,41 +19,31 @@ constexpr double halfLength = mrpt::DEG2RAD(0.02);
 /// Fewer on average are no columns.
 constexpr size_t pointsPerArc = 4;
 
-/// An arc that grows, seen from its first point.
-class GrowingArc {
- public:
-    GrowingArc(const TPoint3Df& point, size_t place) : x_(point.x), y_(point.y) {
-        arc_.first = place;
-        arc_.points = 1;
-    }
-
-    /// False if the point looks another way.
-    bool take(const TPoint3Df& point) {
+/// The arc of a point that has an azimuth and of those behind it, up to the first one that looks
+/// another way.
+AzimuthArc arcFrom(std::span<const TPoint3Df> points, size_t first) {
+    const double x0 = points[first].x, y0 = points[first].y;
+    double least = 0, greatest = 0, sum = 0;  // [rad] from the first point
+    AzimuthArc arc;
+    arc.first = first;
+    arc.points = 1;
+    for (arc.end = first + 1; arc.end < points.size(); ++arc.end) {
+        const TPoint3Df& point = points[arc.end];
+        if (!hasAzimuth(point)) continue;
         const double x = point.x, y = point.y;
-        const double along = x_ * x + y_ * y, across = x_ * y - y_ * x;
-        if (std::abs(across) > halfLength * along) return false;
+        const double along = x0 * x + y0 * y, across = x0 * y - y0 * x;
+        if (std::abs(across) > halfLength * along) break;
         const double angle = across / along;  // its tangent: 1.4e-11 rad more at most
-        least_ = std::min(least_, angle);
-        greatest_ = std::max(greatest_, angle);
-        arc_.sum += angle;
-        ++arc_.points;
-        return true;
+        least = std::min(least, angle);
+        greatest = std::max(greatest, angle);
+        sum += angle;
+        ++arc.points;
     }
-
-    AzimuthArc endedAt(size_t place) const {
-        AzimuthArc arc = arc_;
-        arc.begin = mrpt::math::wrapToPi(std::atan2(y_, x_) + least_);
-        arc.length = greatest_ - least_;
-        arc.sum -= least_ * static_cast<double>(arc.points);
-        arc.end = place;
-        return arc;
-    }
-
- private:
-    double x_, y_;                     ///< [m] its first point
-    double least_ = 0, greatest_ = 0;  ///< [rad] from there
-    AzimuthArc arc_;                   ///< its sum from there, too
-};
+    arc.begin = mrpt::math::wrapToPi(std::atan2(y0, x0) + least);
+    arc.length = greatest - least;
+    arc.sum = sum - least * static_cast<double>(arc.points);
+    return arc;
+}
 
 bool beginsBefore(const AzimuthArc& a, const AzimuthArc& b) { return a.begin < b.begin; }
 
@@ -62,14 +52,13 @@ bool beginsBefore(const AzimuthArc& a, const AzimuthArc& b) { return a.begin < b
 std::vector<AzimuthArc> arcsInOrder(std::span<const TPoint3Df> points) {
     std::vector<AzimuthArc> arcs;
     const size_t most = points.size() / pointsPerArc;
-    std::optional<GrowingArc> growing;
-    for (size_t i = 0; i < points.size(); ++i) {
-        if (!hasAzimuth(points[i]) || (growing && growing->take(points[i]))) continue;
+    auto next = std::ranges::find_if(points, hasAzimuth);
+    while (next != points.end()) {
         if (arcs.size() == most) return {};
-        if (growing) arcs.push_back(growing->endedAt(i));
-        growing.emplace(points[i], arcs.empty() ? 0 : i);
+        arcs.push_back(arcFrom(points, static_cast<size_t>(next - points.begin())));
+        next = points.begin() + static_cast<std::ptrdiff_t>(arcs.back().end);
     }
-    if (growing) arcs.push_back(growing->endedAt(points.size()));
+    if (!arcs.empty()) arcs.front().first = 0;
     if (!std::is_sorted(arcs.begin(), arcs.end(), beginsBefore)) {
         std::sort(arcs.begin(), arcs.end(), beginsBefore);
     }

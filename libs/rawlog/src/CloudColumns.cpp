@@ -150,6 +150,11 @@ CloudColumns nearestColumns(std::span<const TPoint3Df> points, std::vector<doubl
     for (const AzimuthArc& arc : arcs) {
         const uint32_t column = nearest(arc.begin);
         const bool whole = column == nearest(mrpt::math::wrapToPi(arc.begin + arc.length));
+        if (whole && arc.points == arc.end - arc.first) {
+            std::fill_n(columns.columnOf.begin() + static_cast<std::ptrdiff_t>(arc.first),
+                        arc.points, column);
+            continue;
+        }
         for (size_t i = arc.first; i < arc.end; ++i) {
             const bool known = whole && hasAzimuth(points[i]);
             columns.columnOf[i] = known ? column : nearest(azimuthOf(points[i]));
