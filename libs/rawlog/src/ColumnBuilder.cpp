@@ -27,10 +27,50 @@ bool comesFirst(const ColumnReturn& a, const ColumnReturn& b) {  // of two at on
 
 struct Below {  // a type, so that what sorts knows it
     bool operator()(const ColumnReturn& a, const ColumnReturn& b) const {
-        if (a.sinElevation != b.sinElevation) return a.sinElevation < b.sinElevation;
+        if (a.squaredSine != b.squaredSine) return a.squaredSine < b.squaredSine;
         return comesFirst(a, b);
     }
 };
+
+/// What is above the horizontal plane of a sensor in the vehicle's axes.
+class Upwards {
+ public:
+    explicit Upwards(const mrpt::poses::CPose3D& sensorInVehicle) {
+        const auto& rotation = sensorInVehicle.getRotationMatrix();
+        x_ = rotation(2, 0), y_ = rotation(2, 1), z_ = rotation(2, 2);
+    }
+    /// [m^2] Square of the height, with its sign.
+    double squaredHeight(const TPoint3Df& p) const {
+        const double height = x_ * p.x + y_ * p.y + z_ * p.z;
+        return height * std::abs(height);
+    }
+
+ private:
+    double x_, y_, z_;
+};
+
+/// Whether each return stands clearly above the one before, so that rounding cannot make it look
+/// otherwise. Told without divisions; mostly, they do.
+bool standInOrder(std::span<const ColumnReturn> returns, const Upwards& up) {
+    constexpr double rounding = 1e-12;
+    double heightBefore = -1, rangeBefore = 0;  // [m^2] below anything
+    for (const ColumnReturn& r : returns) {
+        const double height = up.squaredHeight(r.point), range = squaredRange(r.point);
+        if (!(height * rangeBefore - heightBefore * range > rounding * range * rangeBefore)) {
+            return false;
+        }
+        heightBefore = height;
+        rangeBefore = range;
+    }
+    return true;
+}
+
+void putInOrder(std::span<ColumnReturn> returns, const Upwards& up) {
+    for (ColumnReturn& r : returns) {
+        r.squaredSine = up.squaredHeight(r.point) / squaredRange(r.point);
+    }
+    std::sort(returns.begin(), returns.end(), Below());
+}
 
 }  // namespace
 
@@ -55,18 +95,14 @@ double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sens
 
 void appendColumn(TurnScan& out, core::ScanColumn column,
                   const mrpt::poses::CPose3D& sensorInVehicle, std::span<ColumnReturn> returns) {
-    const auto& rotation = sensorInVehicle.getRotationMatrix();
-    const double upX = rotation(2, 0), upY = rotation(2, 1), upZ = rotation(2, 2);
-    for (ColumnReturn& r : returns) {
-        const double height = upX * r.point.x + upY * r.point.y + upZ * r.point.z;
-        r.sinElevation = height / std::sqrt(squaredRange(r.point));
-    }
-    const bool inOrder = std::is_sorted(returns.begin(), returns.end(), Below());
-    if (!inOrder) std::sort(returns.begin(), returns.end(), Below());
+    const Upwards up(sensorInVehicle);
+    const bool inOrder = standInOrder(returns, up);
+    if (!inOrder) putInOrder(returns, up);
 
     column.begin = static_cast<uint32_t>(out.scan.points.size());
     for (const ColumnReturn& r : returns) {
-        if (out.scan.points.size() > column.begin && out.scan.points.back() == r.point) {
+        if (!inOrder && out.scan.points.size() > column.begin &&
+            out.scan.points.back() == r.point) {
             ++out.counts.duplicates;
             out.duplicates.push_back({r.slot, static_cast<uint32_t>(out.scan.points.size() - 1)});
             continue;

@@ -18,7 +18,9 @@ namespace offmap::rawlog {
 struct ColumnReturn {
     mrpt::math::TPoint3Df point;  ///< [m] in the frame of its column's sensor
     uint32_t slot = 0;            ///< in the turn
-    double sinElevation = 0;      ///< [-] in the vehicle's axes; filled in by appendColumn()
+    /// [-] Square of the elevation's sine, with its sign, in the vehicle's axes; filled in by
+    /// appendColumn().
+    double squaredSine = 0;
 };
 
 /// Counts what stands in a slot. \return true if it is a return: finite and not the origin
