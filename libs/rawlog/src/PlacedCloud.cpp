@@ -5,7 +5,6 @@
 
 #include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace offmap::rawlog {
@@ -14,65 +13,77 @@ using mrpt::math::TPoint3Df;
 
 namespace {
 
-/// The points that are returns, and their slots in the turn.
-struct CloudReturns {
-    std::vector<TPoint3Df> points;
-    std::vector<uint32_t> slots;
-};
-
-CloudReturns returnsOf(std::span<const TPoint3Df> points, uint32_t firstSlot,
-                       ReturnCounts& counts) {
-    CloudReturns returns;
-    returns.points.reserve(points.size());
-    returns.slots.reserve(points.size());
-    for (size_t i = 0; i < points.size(); ++i) {
-        if (!countReturn(counts, points[i])) continue;
-        returns.points.push_back(points[i]);
-        returns.slots.push_back(firstSlot + static_cast<uint32_t>(i));
+/// The points that are returns, and their slots in the turn. Mostly, all of them are: then nothing
+/// is copied.
+class CloudReturns {
+ public:
+    CloudReturns(std::span<const TPoint3Df> points, uint32_t firstSlot, ReturnCounts& counts)
+        : points_(points), firstSlot_(firstSlot) {
+        const uint64_t before = counts.returns;
+        for (const TPoint3Df& point : points) countReturn(counts, point);
+        if (counts.returns - before == points.size()) return;
+        ReturnCounts again;
+        for (uint32_t i = 0; i < points.size(); ++i) {
+            if (!countReturn(again, points[i])) continue;
+            some_.push_back(points[i]);
+            slots_.push_back(firstSlot + i);
+        }
+        points_ = some_;
     }
-    return returns;
-}
+    CloudReturns(const CloudReturns&) = delete;
+    CloudReturns& operator=(const CloudReturns&) = delete;
 
-/// All returns, column after column, and where each column ends.
-struct SortedReturns {
-    std::vector<ColumnReturn> returns;
-    std::vector<uint32_t> ends;
+    std::span<const TPoint3Df> points() const { return points_; }
+    uint32_t slot(uint32_t i) const { return slots_.empty() ? firstSlot_ + i : slots_[i]; }
+
+ private:
+    std::span<const TPoint3Df> points_;
+    uint32_t firstSlot_;
+    std::vector<TPoint3Df> some_;
+    std::vector<uint32_t> slots_;  // of some_
 };
 
-SortedReturns byColumn(const CloudReturns& from, const CloudColumns& columns) {
-    std::vector<uint32_t> ends(columns.azimuths.size() + 1, 0);
+/// The returns column after column, and where each column ends.
+struct ColumnOrder {
+    std::vector<uint32_t> returns, ends;
+};
+
+ColumnOrder orderOf(const CloudColumns& columns) {
+    ColumnOrder order{std::vector<uint32_t>(columns.columnOf.size()),
+                      std::vector<uint32_t>(columns.azimuths.size() + 1, 0)};
+    auto& [returns, ends] = order;
     for (const uint32_t column : columns.columnOf) ++ends[column + 1];
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     // Now ends[c] is where column c begins, and moves to its end as it is filled.
-    SortedReturns sorted;
-    sorted.returns.resize(from.points.size());
-    for (size_t i = 0; i < from.points.size(); ++i) {
-        sorted.returns[ends[columns.columnOf[i]]++] = {from.points[i], from.slots[i]};
-    }
+    for (uint32_t i = 0; i < returns.size(); ++i) returns[ends[columns.columnOf[i]]++] = i;
     ends.pop_back();
-    sorted.ends = std::move(ends);
-    return sorted;
+    return order;
 }
 
 }  // namespace
 
 void appendCloud(TurnScan& out, const PlacedCloud& cloud, uint32_t firstSlot,
                  const SensorConfig& config) {
-    const CloudReturns returns = returnsOf(cloud.points, firstSlot, out.counts);
-    const CloudColumns columns = findCloudColumns(returns.points, config.columnWidth);
-    SortedReturns sorted = byColumn(returns, columns);
-    out.scan.points.reserve(out.scan.points.size() + returns.points.size());
-    out.scan.sourceIndex.reserve(out.scan.sourceIndex.size() + returns.points.size());
+    const CloudReturns returns(cloud.points, firstSlot, out.counts);
+    const auto points = returns.points();
+    const CloudColumns columns = findCloudColumns(points, config.columnWidth);
+    const ColumnOrder order = orderOf(columns);
+    out.scan.points.reserve(out.scan.points.size() + points.size());
+    out.scan.sourceIndex.reserve(out.scan.sourceIndex.size() + points.size());
     core::ScanColumn column;
     column.time = cloud.time;
     placeColumn(column, cloud.vehicle, cloud.sensorInVehicle);
-    size_t begin = 0;
-    for (size_t c = 0; c < sorted.ends.size(); ++c) {
+    std::vector<ColumnReturn> ofColumn;
+    uint32_t next = 0;
+    for (size_t c = 0; c < order.ends.size(); ++c) {
         column.azimuth =
             static_cast<float>(azimuthInVehicle(columns.azimuths[c], cloud.sensorInVehicle));
-        appendColumn(out, column, cloud.sensorInVehicle,
-                     std::span(sorted.returns).subspan(begin, sorted.ends[c] - begin));
-        begin = sorted.ends[c];
+        ofColumn.clear();
+        for (; next < order.ends[c]; ++next) {
+            const uint32_t i = order.returns[next];
+            ofColumn.push_back({points[i], returns.slot(i)});
+        }
+        appendColumn(out, column, cloud.sensorInVehicle, ofColumn);
     }
 }
 
