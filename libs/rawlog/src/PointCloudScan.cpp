@@ -30,14 +30,23 @@ std::vector<TPoint3Df> pointsOf(const Cloud& obs) {
     return points;
 }
 
-/// A copy of its own. Copying a map of points does not copy its options.
-CPointsMap::Ptr copyOf(const CPointsMap& map) {
-    auto copy = std::dynamic_pointer_cast<CPointsMap>(map.duplicateGetSmartPtr());
-    copy->genericMapParams = map.genericMapParams;
-    copy->insertionOptions = map.insertionOptions;
-    copy->likelihoodOptions = map.likelihoodOptions;
-    copy->renderOptions = map.renderOptions;
-    return copy;
+/// A map of the same class, with its options and the chosen of its points, all their channels.
+CPointsMap::Ptr chosenOf(const CPointsMap& map, SlotMask keep) {
+    auto chosen = std::dynamic_pointer_cast<CPointsMap>(map.GetRuntimeClass()->createObject());
+    chosen->genericMapParams = map.genericMapParams;
+    chosen->insertionOptions = map.insertionOptions;
+    chosen->likelihoodOptions = map.likelihoodOptions;
+    chosen->renderOptions = map.renderOptions;
+    chosen->resize(static_cast<size_t>(std::ranges::count(keep, 1)));
+    std::vector<float> channels;
+    size_t next = 0;
+    for (size_t i = 0; i < keep.size(); ++i) {
+        if (!keep[i]) continue;
+        map.getPointAllFieldsFast(i, channels);
+        chosen->setPointAllFieldsFast(next++, channels);
+    }
+    chosen->mark_as_modified();
+    return chosen;
 }
 
 }  // namespace
@@ -88,11 +97,7 @@ mrpt::obs::CObservation::Ptr PointCloudScan::withOnly(const mrpt::obs::CObservat
                                                       Leftovers /*leftovers*/) const {
     checkMask(obs, keep);
     auto out = std::make_shared<Cloud>(asCloud(obs));
-    if (!out->pointcloud) return out;
-    std::vector<bool> leaves(keep.size());
-    for (size_t i = 0; i < keep.size(); ++i) leaves[i] = !keep[i];
-    out->pointcloud = copyOf(*out->pointcloud);
-    out->pointcloud->applyDeletionMask(leaves);
+    if (out->pointcloud) out->pointcloud = chosenOf(*out->pointcloud, keep);
     return out;
 }
 
