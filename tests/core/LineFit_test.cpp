@@ -130,6 +130,25 @@ TEST(LineFit, addingFitsIsAddingTheirPoints) {
     }
 }
 
+TEST(LineFit, removingPointsLeavesTheFitOfTheOthers) {
+    std::mt19937 random(9);
+    const auto points = noisyLine(0.7, random);
+    LineFit all, first;
+    for (const TPoint2D& p : points) all.add(p);
+    for (size_t cut = 1; cut + 2 <= points.size(); ++cut) {
+        first.add(points[cut - 1]);
+        LineFit left = all;
+        left.remove(first);
+        const FittedLine line = left.line();
+        const FittedLine expected =
+            fitTo({points.begin() + static_cast<std::ptrdiff_t>(cut), points.end()});
+        EXPECT_EQ(left.count(), points.size() - cut);
+        // Two points that happen to be near each other tell the direction 100 times worse.
+        EXPECT_NEAR(crossOf(line.direction, expected.direction), 0, 100 * rounding) << cut;
+        EXPECT_NEAR((line.point - expected.point).norm(), 0, 100 * rounding) << cut;
+    }
+}
+
 TEST(LineFit, countsItsPoints) {
     LineFit fit;
     EXPECT_EQ(fit.count(), 0u);

@@ -99,6 +99,22 @@ TEST(SplitAndMerge, strayPointInTheMiddleIsLeftOut) {
     EXPECT_EQ(rangesOf(piecesOf(points)), (Ranges{{0, 10}, {11, 21}}));
 }
 
+// 6 cm off, it strays by 5.7 cm from the line through all, and by 4.6 cm only from that through it
+// and one side.
+TEST(SplitAndMerge, pointThatStraysAloneIsOfNeitherSide) {
+    auto points = line({2, 0}, {2, 2}, 20);
+    points[10].x += 0.06;
+    EXPECT_EQ(rangesOf(piecesOf(points)), (Ranges{{0, 10}, {11, 21}}));
+}
+
+// Two points are no piece: nothing is gained by leaving out the third, as a line serves it and all
+// behind it.
+TEST(SplitAndMerge, strayPointNearAnEndIsLeftToTheOthers) {
+    auto points = line({2, 0}, {2, 2}, 20);
+    points[2].x += 0.06;
+    EXPECT_EQ(rangesOf(piecesOf(points)), (Ranges{{2, 21}}));
+}
+
 TEST(SplitAndMerge, tooFewPointsGiveNone) {
     for (int count = 0; count < 4; ++count) {
         std::vector<TPoint2D> points;
