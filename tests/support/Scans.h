@@ -58,6 +58,7 @@ class DrivenVehicle : public rawlog::PoseSource {
         lookup.vehicleInMap = path_(time);
         return lookup;
     }
+    rawlog::SettledPoses settled() const override { return rawlog::allSettled; }
 
  private:
     Path path_;

@@ -22,6 +22,7 @@ class FixedPose : public PoseSource {
     explicit FixedPose(const mrpt::poses::CPose3DPDFGaussian& vehicleInMap);
 
     PoseLookup at(mrpt::Clock::time_point time) const override;
+    SettledPoses settled() const override { return allSettled; }
 
  private:
     PoseLookup pose_;

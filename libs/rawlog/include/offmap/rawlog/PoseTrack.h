@@ -34,6 +34,7 @@ class PoseTrack : public PoseSource {
     explicit PoseTrack(std::vector<StampedPose> poses, double maxAge = 0.5);
 
     PoseLookup at(mrpt::Clock::time_point time) const override;
+    SettledPoses settled() const override { return allSettled; }
 
     size_t size() const { return poses_.size(); }
     /// Of the first and the last pose; both none if there are no poses.
