@@ -18,12 +18,12 @@ double rangeSigmaAt(std::span<const double> table, double intensity) {
 
 void findRangeSigmas(TurnScan& out, const Turn& turn, const ScanClass& scanClass,
                      const SensorConfig& config, double unknown) {
-    out.scan.rangeSigma.clear();
-    if (config.rangeSigmaByIntensity.empty()) return;
+    const size_t known = out.scan.rangeSigma.size();
+    if (config.rangeSigmaByIntensity.empty() || known == out.scan.points.size()) return;
     const std::vector<float> intensities = slotIntensitiesOf(turn, scanClass);
     if (intensities.empty()) return;
     out.scan.rangeSigma.reserve(out.scan.points.size());
-    for (const uint32_t slot : out.scan.sourceIndex) {
+    for (const uint32_t slot : std::span(out.scan.sourceIndex).subspan(known)) {
         const double intensity = intensities.at(slot);
         const double sigma =
             std::isnan(intensity) ? unknown : rangeSigmaAt(config.rangeSigmaByIntensity, intensity);

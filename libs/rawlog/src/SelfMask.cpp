@@ -5,6 +5,7 @@
 #include <mrpt/poses/CPose3D.h>
 
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace offmap::rawlog {
@@ -21,12 +22,14 @@ bool holds(const RobotBox& box, const TPoint3D& p) {
            box.min.z <= p.z && p.z <= box.max.z;
 }
 
-/// Closes the gaps in points, source indices and columns. \return the new number of each point
-std::vector<uint32_t> takeOutOwnPoints(core::OrganizedScan& scan, const SensorConfig& config) {
+/// Closes the gaps in points, source indices and columns, from the column on. \return the new
+/// number of each point behind `firstPoint`
+std::vector<uint32_t> takeOutOwnPoints(core::OrganizedScan& scan, const SensorConfig& config,
+                                       size_t firstColumn, uint32_t firstPoint) {
     const double squaredMinRange = config.minRange * config.minRange;
-    std::vector<uint32_t> numbers(scan.points.size(), masked);
-    uint32_t kept = 0;
-    for (core::ScanColumn& column : scan.columns) {
+    std::vector<uint32_t> numbers(scan.points.size() - firstPoint, masked);
+    uint32_t kept = firstPoint;
+    for (core::ScanColumn& column : std::span(scan.columns).subspan(firstColumn)) {
         const mrpt::poses::CPose3D sensorInVehicle(column.sensorInVehicle);
         const uint32_t begin = kept;
         for (uint32_t i = column.begin; i < column.end; ++i) {
@@ -36,7 +39,7 @@ std::vector<uint32_t> takeOutOwnPoints(core::OrganizedScan& scan, const SensorCo
                 holds(*config.robotBox, sensorInVehicle.composePoint(pointInSensor))) {
                 continue;
             }
-            numbers[i] = kept;
+            numbers[i - firstPoint] = kept;
             scan.points[kept] = scan.points[i];
             scan.sourceIndex[kept++] = scan.sourceIndex[i];
         }
@@ -50,11 +53,15 @@ std::vector<uint32_t> takeOutOwnPoints(core::OrganizedScan& scan, const SensorCo
 
 }  // namespace
 
-void maskSelfReturns(TurnScan& turn, const SensorConfig& config) {
+void maskSelfReturns(TurnScan& turn, const SensorConfig& config, size_t firstColumn) {
     if (config.minRange <= 0 && !config.robotBox) return;
+    if (firstColumn == turn.scan.columns.size()) return;
     const size_t before = turn.scan.points.size() + turn.duplicates.size();
-    const std::vector<uint32_t> numbers = takeOutOwnPoints(turn.scan, config);
-    for (DuplicateReturn& duplicate : turn.duplicates) duplicate.point = numbers[duplicate.point];
+    const uint32_t firstPoint = turn.scan.columns[firstColumn].begin;
+    const auto numbers = takeOutOwnPoints(turn.scan, config, firstColumn, firstPoint);
+    for (DuplicateReturn& duplicate : turn.duplicates) {
+        if (duplicate.point >= firstPoint) duplicate.point = numbers[duplicate.point - firstPoint];
+    }
     std::erase_if(turn.duplicates, [](const DuplicateReturn& d) { return d.point == masked; });
     turn.counts.self += before - turn.scan.points.size() - turn.duplicates.size();
 }

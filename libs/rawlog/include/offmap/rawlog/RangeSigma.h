@@ -12,8 +12,9 @@ namespace offmap::rawlog {
 /// \param table SensorConfig::rangeSigmaByIntensity, not empty
 double rangeSigmaAt(std::span<const double> table, double intensity);
 
-/// Gives the points of a turn's scan the sigmas that its sensor's table tells, if there is a table
-/// and any observation tells intensities. To be called once no more points are taken out.
+/// Gives the points of a turn's scan that have none the sigmas that its sensor's table tells, if
+/// there is a table and any observation tells intensities. To be called once no more of them are
+/// taken out.
 /// \param unknown [m] of returns whose intensity is not told
 void findRangeSigmas(TurnScan& out, const Turn& turn, const ScanClass& scanClass,
                      const SensorConfig& config, double unknown);
