@@ -40,7 +40,9 @@ double usualStep(const std::vector<VelodyneFiring>& firings) {
 
 class Gathering {
  public:
-    explicit Gathering(const VelodyneReturns& in) : in_(in), step_(usualStep(in.firings)) {
+    explicit Gathering(const VelodyneReturns& in) : in_(in) {
+        if (in.azimuthCorrections.empty()) return;
+        step_ = usualStep(in.firings);
         // A head that hardly turns takes longer to look there than a scan lasts.
         constexpr double slowest = mrpt::DEG2RAD(0.01);
         if (std::abs(step_) < slowest) return;
@@ -50,17 +52,16 @@ class Gathering {
         }
     }
 
-    VelodyneColumns columns() && {
-        for (const bool second : {false, true}) {
-            size_t begin = 0;
-            for (size_t f = 1; f <= in_.firings.size(); ++f) {
-                if (f < in_.firings.size() && !endsRun(f)) continue;
-                gatherRun(static_cast<long>(begin), static_cast<long>(f), second);
-                begin = f;
-            }
+    /// Of firings [begin, end): the first returns, or the second ones.
+    void gather(size_t begin, size_t end, bool second) {
+        for (size_t f = begin + 1; f <= end; ++f) {
+            if (f < end && !endsRun(f)) continue;
+            gatherRun(static_cast<long>(begin), static_cast<long>(f), second);
+            begin = f;
         }
-        return std::move(out_);
     }
+
+    VelodyneColumns columns() && { return std::move(out_); }
 
  private:
     bool endsRun(size_t f) const {
@@ -112,7 +113,7 @@ class Gathering {
     }
 
     const VelodyneReturns& in_;
-    double step_;               ///< [rad] from firing to firing
+    double step_ = 0;           ///< [rad] from firing to firing
     std::vector<long> shifts_;  ///< per laser: firings that it is ahead
     long widest_ = 0;
     std::vector<uint32_t> ends_;
@@ -121,8 +122,17 @@ class Gathering {
 
 }  // namespace
 
-VelodyneColumns gatherColumns(const VelodyneReturns& returns) {
-    return Gathering(returns).columns();
+VelodyneColumns gatherColumns(const VelodyneReturns& returns, size_t firstFiring) {
+    Gathering gathering(returns);
+    gathering.gather(firstFiring, returns.firings.size(), false);
+    gathering.gather(0, returns.firings.size(), true);
+    return std::move(gathering).columns();
+}
+
+VelodyneColumns gatherFirstReturns(const VelodyneReturns& returns, size_t begin, size_t end) {
+    Gathering gathering(returns);
+    gathering.gather(begin, end, false);
+    return std::move(gathering).columns();
 }
 
 }  // namespace offmap::rawlog

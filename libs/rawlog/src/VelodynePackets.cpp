@@ -52,25 +52,27 @@ mrpt::Clock::time_point timeOfFirstPacket(const Scan& obs, TimeReference referen
 
 class Decoder {
  public:
-    Decoder(const Scan& obs, const VelodyneDecoding& decoding)
+    Decoder(const Scan& obs, const VelodyneDecoding& decoding, VelodyneReturns& out)
         : obs_(obs),
           model_(modelOf(obs)),
           lasers_(calibrationOf(obs, model_)),
           lasersPerBlock_(Scan::SCANS_PER_BLOCK / model_.firingsPerBlock),
-          start_(timeOfFirstPacket(obs, decoding.timeReference)) {
+          start_(timeOfFirstPacket(obs, decoding.timeReference)),
+          out_(out) {
+        if (!out_.firings.empty()) return;
         out_.points.reserve(obs.scan_packets.size() * slotsPerPacket);
         out_.slots.reserve(obs.scan_packets.size() * slotsPerPacket);
         out_.lasers.reserve(obs.scan_packets.size() * slotsPerPacket);
         const auto turned = [](const auto& laser) { return laser.azimuthCorrection != 0; };
         if (!decoding.correctAzimuth || std::ranges::none_of(lasers_, turned)) return;
-        for (const auto& laser : lasers_) {
-            out_.azimuthCorrections.push_back(mrpt::DEG2RAD(laser.azimuthCorrection + 0.0));
-        }
+        out_.azimuthCorrections.resize(lasers_.size());
+        std::ranges::transform(lasers_, out_.azimuthCorrections.begin(), [](const auto& laser) {
+            return mrpt::DEG2RAD(laser.azimuthCorrection + 0.0);
+        });
     }
 
-    VelodyneReturns decode() && {
-        for (size_t p = 0; p < obs_.scan_packets.size(); ++p) decodePacket(p);
-        return std::move(out_);
+    void decodeFrom(size_t firstPacket) {
+        for (size_t p = firstPacket; p < obs_.scan_packets.size(); ++p) decodePacket(p);
     }
 
  private:
@@ -216,7 +218,7 @@ class Decoder {
     LaserCalibrations lasers_;
     size_t lasersPerBlock_;
     mrpt::Clock::time_point start_;
-    VelodyneReturns out_;
+    VelodyneReturns& out_;
     Direction ofBlock_;             ///< where the head looks when the block's first laser fires
     std::vector<Direction> turns_;  ///< from there, per firing of a block and laser
     std::optional<double> rateOfTurns_;  ///< [1/100 deg / us] that they hold for
@@ -229,7 +231,14 @@ uint16_t distanceOf(const Scan::laser_return_t& laserReturn) {
 }
 
 VelodyneReturns decodePackets(const Scan& obs, const VelodyneDecoding& decoding) {
-    return Decoder(obs, decoding).decode();
+    VelodyneReturns out;
+    decodeFurther(obs, 0, decoding, out);
+    return out;
+}
+
+void decodeFurther(const Scan& obs, size_t firstPacket, const VelodyneDecoding& decoding,
+                   VelodyneReturns& out) {
+    Decoder(obs, decoding, out).decodeFrom(firstPacket);
 }
 
 const Scan::laser_return_t& returnInSlot(const Scan& obs, size_t slot) {

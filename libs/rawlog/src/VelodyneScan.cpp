@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AsPointCloud.h"
+#include "VelodyneColumnStream.h"
 
-#include <offmap/rawlog/ColumnBuilder.h>
 #include <offmap/rawlog/VelodyneCloud.h>
-#include <offmap/rawlog/VelodyneColumns.h>
 #include <offmap/rawlog/VelodynePackets.h>
 #include <offmap/rawlog/VelodyneScan.h>
 
@@ -16,28 +15,6 @@ namespace {
 using Scan = mrpt::obs::CObservationVelodyneScan;
 
 const Scan& asScan(const mrpt::obs::CObservation& obs) { return dynamic_cast<const Scan&>(obs); }
-
-void appendColumns(TurnScan& out, const Scan& obs, uint32_t firstSlot, const PoseSource& poses,
-                   const SensorConfig& config) {
-    const mrpt::poses::CPose3D mounting = sensorInVehicle(obs, config);
-    const VelodyneReturns decoded = decodePackets(obs, {.timeReference = config.timeReference});
-    const VelodyneColumns gathered = gatherColumns(decoded);
-    std::vector<ColumnReturn> returns;
-    for (const VelodyneColumn& from : gathered.columns) {
-        returns.clear();
-        for (uint32_t i = from.begin; i < from.end; ++i) {
-            const uint32_t r = gathered.returns[i];
-            if (!countReturn(out.counts, decoded.points[r])) continue;
-            returns.push_back({decoded.points[r], firstSlot + decoded.slots[r]});
-        }
-        core::ScanColumn column;
-        column.azimuth = static_cast<float>(azimuthInVehicle(from.azimuth, mounting));
-        column.time = from.time;
-        placeColumn(column, poses.at(from.time), mounting);
-        appendColumn(out, column, mounting, returns);
-    }
-    out.counts.zero += obs.scan_packets.size() * slotsPerPacket - decoded.points.size();
-}
 
 /// Whether return i repeats the one before: both of one laser in dual return mode.
 bool isRepeated(const VelodyneReturns& decoded, size_t i) {
@@ -62,12 +39,13 @@ std::vector<float> VelodyneScan::intensities(const mrpt::obs::CObservation& obs)
 TurnScan VelodyneScan::organize(const Turn& turn, const PoseSource& poses,
                                 const SensorConfig& config) const {
     TurnScan out;
-    size_t firstSlot = 0;
-    for (const auto& obs : turn) {
-        appendColumns(out, asScan(*obs), static_cast<uint32_t>(firstSlot), poses, config);
-        firstSlot += slotCount(*obs);
-    }
+    VelodyneColumnStream(poses, config).finish(turn, out);
     return out;
+}
+
+std::unique_ptr<ColumnStream> VelodyneScan::columnStream(const PoseSource& poses,
+                                                         const SensorConfig& config) const {
+    return std::make_unique<VelodyneColumnStream>(poses, config);
 }
 
 mrpt::obs::CObservation::Ptr VelodyneScan::withOnly(const mrpt::obs::CObservation& obs,

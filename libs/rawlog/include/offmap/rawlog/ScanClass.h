@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,8 @@ using SlotMask = std::span<const uint8_t>;
 /// none of its returns explains. It goes where the returns go that are not removed.
 enum class Leftovers : uint8_t { Keep, Drop };
 
+class ColumnStream;
+
 /// What has to be known of one class of 3D observation to reduce it: where its returns are, and how
 /// one is taken out. A slot is a place where a return can stand: a ray, a laser return in a packet,
 /// a point. The slots of a turn are numbered through its observations.
@@ -66,6 +69,11 @@ class ScanClass {
     /// Columns of returns, each with the pose of its sensor.
     virtual TurnScan organize(const Turn& turn, const PoseSource& poses,
                               const SensorConfig& config) const = 0;
+
+    /// The same, for a turn that is still being taken. By default all columns come at its end.
+    /// \param poses, config have to outlive it
+    virtual std::unique_ptr<ColumnStream> columnStream(const PoseSource& poses,
+                                                       const SensorConfig& config) const;
 
     /// How bright the return in each slot is: 0 ... 1, NaN where that is not told. Whole numbers
     /// count 255 as 1. Empty: the observation does not tell.

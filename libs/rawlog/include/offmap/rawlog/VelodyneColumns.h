@@ -25,6 +25,10 @@ struct VelodyneColumns {
 /// A laser with an azimuth correction looks where the head was, or will be, some firings away: its
 /// return goes to that column. A column of an HDL-64E, corrected by up to 9 degrees, thus gathers
 /// returns of 5 ms, and some lasers alone look past the first and the last firing.
-VelodyneColumns gatherColumns(const VelodyneReturns& returns);
+/// \param firstFiring without azimuth corrections: of those before, only the second returns
+VelodyneColumns gatherColumns(const VelodyneReturns& returns, size_t firstFiring = 0);
+
+/// The columns of first returns of firings [begin, end), of a sensor without azimuth corrections.
+VelodyneColumns gatherFirstReturns(const VelodyneReturns& returns, size_t begin, size_t end);
 
 }  // namespace offmap::rawlog

@@ -46,6 +46,11 @@ inline constexpr size_t slotsPerPacket = mrpt::obs::CObservationVelodyneScan::SC
 VelodyneReturns decodePackets(const mrpt::obs::CObservationVelodyneScan& obs,
                               const VelodyneDecoding& decoding = {});
 
+/// The same from one packet on, behind what those before were decoded to. The time stamp has to be
+/// that of the first packet, as long as packets may come.
+void decodeFurther(const mrpt::obs::CObservationVelodyneScan& obs, size_t firstPacket,
+                   const VelodyneDecoding& decoding, VelodyneReturns& out);
+
 /// Return k of the packets, k in [0, packets * slotsPerPacket).
 const mrpt::obs::CObservationVelodyneScan::laser_return_t& returnInSlot(
     const mrpt::obs::CObservationVelodyneScan& obs, size_t slot);

@@ -17,6 +17,8 @@ class VelodyneScan final : public ScanClass {
     std::vector<float> intensities(const mrpt::obs::CObservation& obs) const override;
     TurnScan organize(const Turn& turn, const PoseSource& poses,
                       const SensorConfig& config) const override;
+    std::unique_ptr<ColumnStream> columnStream(const PoseSource& poses,
+                                               const SensorConfig& config) const override;
     mrpt::obs::CObservation::Ptr withOnly(const mrpt::obs::CObservation& obs, SlotMask keep,
                                           Leftovers leftovers) const override;
     /// CPointsMapXYZI, intensities from 0 to 1. Of two equal returns of a laser (dual return mode),

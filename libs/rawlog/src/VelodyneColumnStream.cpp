@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VelodyneColumnStream.h"
+
+#include <offmap/rawlog/ColumnBuilder.h>
+
+#include <vector>
+
+namespace offmap::rawlog {
+
+namespace {
+
+using Scan = mrpt::obs::CObservationVelodyneScan;
+
+const Scan& asScan(const mrpt::obs::CObservation& obs) { return dynamic_cast<const Scan&>(obs); }
+
+}  // namespace
+
+void VelodyneColumnStream::add(const Turn& soFar, TurnScan& out) {
+    const Scan& obs = asScan(*soFar.front());
+    if (config_.timeReference != TimeReference::First || obs.scan_packets.empty()) return;
+    decode(obs);
+    const VelodyneReturns& decoded = progress_.decoded;
+    if (!decoded.azimuthCorrections.empty()) return;
+    const auto until = poses_.settled().until;
+    size_t end = progress_.firings;
+    while (end < decoded.firings.size() && decoded.firings[end].time < until) ++end;
+    append(gatherFirstReturns(decoded, progress_.firings, end), obs, out);
+    progress_.firings = end;
+}
+
+void VelodyneColumnStream::finish(const Turn& turn, TurnScan& out) {
+    for (const auto& observation : turn) {
+        const Scan& obs = asScan(*observation);
+        decode(obs);
+        append(gatherColumns(progress_.decoded, progress_.firings), obs, out);
+        const size_t slots = obs.scan_packets.size() * slotsPerPacket;
+        out.counts.zero += slots - progress_.decoded.points.size();
+        firstSlot_ += static_cast<uint32_t>(slots);
+        progress_ = {};
+    }
+}
+
+void VelodyneColumnStream::decode(const Scan& obs) {
+    decodeFurther(obs, progress_.packets, {.timeReference = config_.timeReference},
+                  progress_.decoded);
+    progress_.packets = obs.scan_packets.size();
+}
+
+void VelodyneColumnStream::append(const VelodyneColumns& gathered, const Scan& obs,
+                                  TurnScan& out) const {
+    const mrpt::poses::CPose3D mounting = sensorInVehicle(obs, config_);
+    const VelodyneReturns& decoded = progress_.decoded;
+    std::vector<ColumnReturn> returns;
+    for (const VelodyneColumn& from : gathered.columns) {
+        returns.clear();
+        for (uint32_t i = from.begin; i < from.end; ++i) {
+            const uint32_t r = gathered.returns[i];
+            if (!countReturn(out.counts, decoded.points[r])) continue;
+            returns.push_back({decoded.points[r], firstSlot_ + decoded.slots[r]});
+        }
+        core::ScanColumn column;
+        column.azimuth = static_cast<float>(azimuthInVehicle(from.azimuth, mounting));
+        column.time = from.time;
+        placeColumn(column, poses_.at(from.time), mounting);
+        appendColumn(out, column, mounting, returns);
+    }
+}
+
+}  // namespace offmap::rawlog
