@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/rawlog/Observations.h>
-#include <offmap/rawlog/RangeSigma.h>
 #include <offmap/rawlog/RefinedPose.h>
-#include <offmap/rawlog/SelfMask.h>
 #include <offmap/rawlog/TurnReducer.h>
 
 #include <algorithm>
-#include <chrono>
+#include <utility>
 
 namespace offmap::rawlog {
 
 using mrpt::obs::CObservation;
+using Steady = std::chrono::steady_clock;
 
 namespace {
 
@@ -109,30 +108,44 @@ CObservation::Ptr TurnReducer::select(const CObservation& obs, const ScanClass& 
 }
 
 ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
-    const auto begin = std::chrono::steady_clock::now();
-    ReducedTurn out;
-    size_t slots = 0;
-    for (const auto& obs : turn) slots += scanClass.slotCount(*obs);
-    const SensorConfig& config = sensors_.of(turn.front()->sensorLabel);
-    out.organized = scanClass.organize(turn, poses_, config);
-    maskSelfReturns(out.organized, config);
-    findRangeSigmas(out.organized, turn, scanClass, config, config_.reduction.alignment.sigmaRange);
-    result_ = &reducer_.reduce(out.organized.scan);
-    out.removedSlots = removedSlots(out.organized, *result_, slots);
+    begin(scanClass);
+    return finish(turn);
+}
 
-    std::vector<uint8_t> keep(out.removedSlots);
-    for (uint8_t& slot : keep) slot = !slot;
-    size_t first = 0;
-    for (const auto& obs : turn) {
-        const SlotMask own = SlotMask(keep).subspan(first, scanClass.slotCount(*obs));
-        first += own.size();
-        const bool unchanged = output_ == OutputClass::Same && std::ranges::count(own, 0) == 0;
-        out.reduced.push_back(unchanged ? nullptr
-                                        : select(*obs, scanClass, own, Leftovers::Keep, config));
+void TurnReducer::begin(const ScanClass& scanClass) {
+    scanClass_ = &scanClass;
+    columns_.reset();
+    spent_ = {};
+}
+
+TurnColumns& TurnReducer::columns(const Turn& turn) {
+    if (!columns_ || !columns_->hold()) {
+        reducer_.begin();
+        columns_ = std::make_unique<TurnColumns>(*scanClass_, poses_,
+                                                 sensors_.of(turn.front()->sensorLabel),
+                                                 config_.reduction.alignment.sigmaRange);
     }
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    return *columns_;
+}
 
-    out.record.milliseconds = took.count();
+void TurnReducer::add(const Turn& soFar) {
+    const auto begin = Steady::now();
+    columns(soFar).add(soFar);
+    reducer_.add(columns_->scan());
+    spent_ += Steady::now() - begin;
+}
+
+ReducedTurn TurnReducer::finish(const Turn& turn) {
+    const auto begin = Steady::now();
+    columns(turn).finish(turn);
+    result_ = &reducer_.finish(columns_->scan());
+    ReducedTurn out;
+    out.organized = std::move(*columns_).take();
+    columns_.reset();
+    takeOut(turn, out);
+    spent_ += Steady::now() - begin;
+
+    out.record.milliseconds = std::chrono::duration<double, std::milli>(spent_).count();
     out.record.counts = out.organized.counts;
     out.record.time = turn.front()->timestamp;
     out.record.label = turn.front()->sensorLabel;
@@ -140,6 +153,24 @@ ReducedTurn TurnReducer::reduce(const Turn& turn, const ScanClass& scanClass) {
     record(*result_, out);
     out.vehicleInMap = refinedPose(out.organized.scan, *result_, poses_, out.record.time);
     return out;
+}
+
+/// Makes the reduced observations of what the result says.
+void TurnReducer::takeOut(const Turn& turn, ReducedTurn& out) {
+    const SensorConfig& config = sensors_.of(turn.front()->sensorLabel);
+    size_t slots = 0;
+    for (const auto& obs : turn) slots += scanClass_->slotCount(*obs);
+    out.removedSlots = removedSlots(out.organized, *result_, slots);
+    std::vector<uint8_t> keep(out.removedSlots);
+    for (uint8_t& slot : keep) slot = !slot;
+    size_t first = 0;
+    for (const auto& obs : turn) {
+        const SlotMask own = SlotMask(keep).subspan(first, scanClass_->slotCount(*obs));
+        first += own.size();
+        const bool unchanged = output_ == OutputClass::Same && std::ranges::count(own, 0) == 0;
+        out.reduced.push_back(unchanged ? nullptr
+                                        : select(*obs, *scanClass_, own, Leftovers::Keep, config));
+    }
 }
 
 std::vector<CObservation::Ptr> TurnReducer::removedFrom(const Turn& turn,

@@ -6,11 +6,14 @@
 #include <offmap/rawlog/PoseSource.h>
 #include <offmap/rawlog/ScanClass.h>
 #include <offmap/rawlog/SensorConfigs.h>
+#include <offmap/rawlog/TurnColumns.h>
 #include <offmap/rawlog/TurnRecord.h>
 
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,7 +50,15 @@ class TurnReducer {
 
     ReducedTurn reduce(const Turn& turn, const ScanClass& scanClass);
 
-    /// What the last call of reduce() found out; holds until the next one.
+    /// The same, while the turn is being taken: begin(), then add() whenever there is more of it,
+    /// and finish() when it is complete. What is left then are its last columns, those whose poses
+    /// were not settled, and what needs all of them.
+    void begin(const ScanClass& scanClass);
+    /// \param soFar what there is of the turn: all that the last call had, and more
+    void add(const Turn& soFar);
+    ReducedTurn finish(const Turn& turn);
+
+    /// What was found out about the last turn; holds until there is some of the next one.
     const core::ReductionResult& result() const { return *result_; }
 
     /// Per observation of the turn, one that holds the removed returns only.
@@ -60,11 +71,18 @@ class TurnReducer {
                                         const ScanClass& scanClass, SlotMask keep,
                                         Leftovers leftovers, const SensorConfig& config) const;
 
+    void takeOut(const Turn& turn, ReducedTurn& out);
+    /// Of the turn that was begun; anew if its poses have changed since.
+    TurnColumns& columns(const Turn& turn);
+
     core::Reducer reducer_;
     const PoseSource& poses_;
     Config config_;
     SensorConfigs sensors_;
     OutputClass output_;
+    const ScanClass* scanClass_ = nullptr;         // of the turn that was begun
+    std::unique_ptr<TurnColumns> columns_;         // of it, once there is some of it
+    std::chrono::steady_clock::duration spent_{};  // on it so far
     const core::ReductionResult* result_ = nullptr;
 };
 
