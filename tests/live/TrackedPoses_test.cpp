@@ -55,6 +55,17 @@ TEST(TrackedPoses, takeNoOlderAndNoBrokenCorrection) {
     EXPECT_EQ(poses.corrections(), 1U);
 }
 
+TEST(TrackedPoses, areSettledFromCorrectionToCorrection) {
+    TrackedPoses poses({1, 2, 0.5}, noise);
+    const auto before = poses.settled();
+    EXPECT_EQ(before.until, mrpt::Clock::time_point::max());
+    poses.correct(estimate(3, 1e-4), start);
+    const auto after = poses.settled();
+    EXPECT_NE(after.revision, before.revision);
+    poses.correct(estimate(4, 1e-4), start - 1s);
+    EXPECT_EQ(poses.settled().revision, after.revision) << "which changes nothing";
+}
+
 TEST(TrackedPoses, refuseWhatIsNotFinite) {
     EXPECT_THROW(TrackedPoses({std::nan(""), 0, 0}, noise), std::invalid_argument);
     EXPECT_THROW(TrackedPoses({0, 0, 0}, {.speed = -1}), std::invalid_argument);

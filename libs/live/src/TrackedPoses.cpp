@@ -44,6 +44,10 @@ rawlog::PoseLookup TrackedPoses::at(mrpt::Clock::time_point time) const {
     return pose;
 }
 
+rawlog::SettledPoses TrackedPoses::settled() const {
+    return {mrpt::Clock::time_point::max(), corrections()};
+}
+
 void TrackedPoses::correct(const mrpt::poses::CPose3DPDFGaussian& vehicleInMap,
                            mrpt::Clock::time_point time) {
     if (core::faultOf(vehicleInMap)) return;

@@ -20,6 +20,8 @@ class LivePoses : public rawlog::PoseSource {
     explicit LivePoses(double maxAge);
 
     rawlog::PoseLookup at(mrpt::Clock::time_point time) const override;
+    /// Until the newest pose, if they come in their order; one that does not changes those before.
+    rawlog::SettledPoses settled() const override;
     void add(const rawlog::StampedPose& pose);
     uint64_t added() const;
 
@@ -28,7 +30,7 @@ class LivePoses : public rawlog::PoseSource {
     mutable std::mutex mutex_;
     std::deque<rawlog::StampedPose> poses_;
     std::shared_ptr<const rawlog::PoseTrack> track_;
-    uint64_t added_ = 0;
+    uint64_t added_ = 0, outOfOrder_ = 0;
 };
 
 }  // namespace offmap::live

@@ -29,6 +29,9 @@ class TrackedPoses : public rawlog::PoseSource {
     /// At the times before the last correction as certain as then.
     rawlog::PoseLookup at(mrpt::Clock::time_point time) const override;
 
+    /// All, until the next correction.
+    rawlog::SettledPoses settled() const override;
+
     /// A pose that a scan of that time was found to be taken from. Older ones change nothing.
     void correct(const mrpt::poses::CPose3DPDFGaussian& vehicleInMap, mrpt::Clock::time_point time);
 
