@@ -54,6 +54,36 @@ TEST(VelodyneTurns, endWhereTheHeadPassesItsZero) {
     EXPECT_EQ(all[1]->timestamp, now + std::chrono::milliseconds(packetsBefore));
 }
 
+TEST(VelodyneTurns, areHandedOverInPiecesAsTheyCome) {
+    const VelodyneStream stream;
+    VelodyneTurns turns("VLP16");
+    std::vector<size_t> firsts;
+    std::vector<test::VelodynePacket> packets;
+    uint64_t n = 0;
+    EXPECT_FALSE(turns.piece(1)) << "nothing has come";
+    for (VelodyneTurn turn; !turn; ++n) {
+        turn = turns.add(stream.packet(n), now + std::chrono::milliseconds(n));
+        const auto piece = turns.piece(4);
+        if (!piece) continue;
+        EXPECT_EQ(piece->firstPacket, packets.size());
+        EXPECT_EQ(piece->packets->scan_packets.size(), 4U);
+        EXPECT_EQ(piece->packets->sensorLabel, "VLP16");
+        EXPECT_EQ(piece->packets->timestamp, now) << "the turn's";
+        for (const auto& packet : piece->packets->scan_packets) packets.push_back(packet);
+    }
+    EXPECT_GT(packets.size(), 8U);
+    EXPECT_GE(packets.size() + 4, n) << "but the last few, with which the turn was complete";
+    for (uint64_t i = 0; i < packets.size(); ++i) {
+        EXPECT_EQ(test::rangesOf(packets[i]), test::rangesOf(stream.packet(i)));
+    }
+    EXPECT_FALSE(turns.piece(1)) << "of the turn that is complete";
+    turns.add(stream.packet(n), now + std::chrono::seconds(1));
+    const auto next = turns.piece(1);
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->firstPacket, 0U);
+    EXPECT_EQ(next->packets->timestamp, now + std::chrono::seconds(1));
+}
+
 TEST(VelodyneTurns, countWhatIsMissingByTheStamps) {
     VelodyneTurns turns("VLP16");
     turnsOf(turns, 0, 100);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "TurnsFromPieces.h"
 #include "VelodyneStream.h"
 
 #include <offmap/live/VelodyneUdp.h>
@@ -67,6 +68,19 @@ TEST(VelodyneUdp, deliversWholeTurnsAndWhatIsLeftWhenItStalls) {
     EXPECT_TRUE(source.next({}));
     EXPECT_EQ(source.health().state, SourceState::Running);
     EXPECT_EQ(source.health().packetsMissing, 0U) << "it was switched off";
+}
+
+TEST(VelodyneUdp, handsOverItsTurnsInPieces) {
+    VelodyneUdp source(0, "VLP16", 200ms);
+    test::TurnsFromPieces pieces;
+    source.onPiece([&](const TurnPiece& piece) { pieces.add(piece); });
+    std::jthread sender([&] { Sender(source.port()).sendPackets(0, 200); });
+    while (source.health().state != SourceState::Stalled) {
+        const auto turn = source.next({});
+        ASSERT_TRUE(turn);
+        pieces.expectBeginOf(*turn);
+    }
+    EXPECT_GE(pieces.turns(), 3U);
 }
 
 TEST(VelodyneUdp, whatIsNoPacketIsPassedOver) {

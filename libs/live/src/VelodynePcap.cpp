@@ -71,17 +71,41 @@ VelodynePcap::VelodynePcap(const std::filesystem::path& file, std::string label,
 
 VelodynePcap::~VelodynePcap() = default;
 
-/// Null at the end of the capture.
-VelodyneTurn VelodynePcap::readTurn() {
+/// Null at the end of the capture. `lastPacket_` tells when it was complete.
+VelodyneTurn VelodynePcap::readTurn(const std::stop_token& stop) {
     while (const auto packet = capture_->next()) {
         try {
-            if (auto turn = turns_.add(packet->first, packet->second)) return turn;
+            auto turn = turns_.add(packet->first, packet->second);
+            lastPacket_ = packet->second;
+            if (turn) return turn;
         } catch (const std::invalid_argument& error) {
             const std::lock_guard lock(mutex_);
             health_.message = fmt::format("packets that cannot be used: {}", error.what());
         }
+        if (wantsPieces() && !waits_ && !handOverPiece(stop)) return nullptr;
     }
     return turns_.finish();
+}
+
+/// False if it was stopped while it waited.
+bool VelodynePcap::handOverPiece(const std::stop_token& stop) {
+    const auto piece = turns_.piece(packetsPerPiece);
+    if (!piece) return true;
+    uint64_t turn = 0;
+    {
+        std::unique_lock lock(mutex_);
+        if (!waitUntilDue(lock, stop)) return false;
+        turn = health_.received;
+    }
+    handOver({turn, piece->firstPacket, piece->packets});
+    return true;
+}
+
+/// Until it is time for the last packet. False if it was stopped before.
+bool VelodynePcap::waitUntilDue(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    const auto due = clock_.due(lastPacket_, Steady::now());
+    never_.wait_until(lock, stop, *due, [] { return false; });
+    return !stop.stop_requested();
 }
 
 void VelodynePcap::end(SourceState state, const std::string& message) {
@@ -97,19 +121,18 @@ void VelodynePcap::end(SourceState state, const std::string& message) {
 std::optional<ArrivedTurn> VelodynePcap::next(const std::stop_token& stop) {
     VelodyneTurn turn;
     try {
-        turn = readTurn();
+        turn = readTurn(stop);
     } catch (const std::runtime_error& error) {
         end(SourceState::Failed, error.what());
         return std::nullopt;
     }
+    if (!turn && stop.stop_requested()) return std::nullopt;
     if (!turn) {
         end(SourceState::Ended, {});
         return std::nullopt;
     }
     std::unique_lock lock(mutex_);
-    const auto due = clock_.due(turn->timestamp, Steady::now());
-    never_.wait_until(lock, stop, *due, [] { return false; });
-    if (stop.stop_requested()) return std::nullopt;
+    if (!waitUntilDue(lock, stop)) return std::nullopt;
     health_.state = SourceState::Running;
     health_.packetsMissing = turns_.packetsMissing();
     return ArrivedTurn{{std::move(turn)}, health_.received++, Steady::now()};

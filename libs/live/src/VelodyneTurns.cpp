@@ -55,10 +55,21 @@ VelodyneTurn VelodyneTurns::add(const VelodynePacket& packet, mrpt::Clock::time_
         turn_->sensorLabel = label_;
         turn_->timestamp = turn_->originalReceivedTimestamp = arrived;
         swept_ = 0;
+        inPieces_ = 0;
     }
     turn_->scan_packets.push_back(packet);
     if (passage.ends) ended = std::exchange(turn_, nullptr);
     return ended;
+}
+
+std::optional<VelodynePiece> VelodyneTurns::piece(size_t leastPackets) {
+    if (!turn_ || turn_->scan_packets.size() < inPieces_ + leastPackets) return std::nullopt;
+    auto packets = Scan::Create();
+    packets->sensorLabel = turn_->sensorLabel;
+    packets->timestamp = packets->originalReceivedTimestamp = turn_->timestamp;
+    const auto first = turn_->scan_packets.begin() + static_cast<std::ptrdiff_t>(inPieces_);
+    packets->scan_packets.assign(first, turn_->scan_packets.end());
+    return VelodynePiece{std::exchange(inPieces_, turn_->scan_packets.size()), packets};
 }
 
 VelodyneTurn VelodyneTurns::finish() {

@@ -105,11 +105,23 @@ ArrivedTurn VelodyneUdp::delivered(VelodyneTurn turn) {
     return {{std::move(turn)}, health_.received++, lastPacket_};
 }
 
+void VelodyneUdp::handOverPiece() {
+    const auto piece = turns_.piece(packetsPerPiece);
+    if (piece) handOver({received(), piece->firstPacket, piece->packets});
+}
+
+/// Turns, so far.
+uint64_t VelodyneUdp::received() const {
+    const std::lock_guard lock(mutex_);
+    return health_.received;
+}
+
 std::optional<ArrivedTurn> VelodyneUdp::next(const std::stop_token& stop) {
     VelodynePacket packet{};
     while (!stop.stop_requested()) {
         VelodyneTurn turn = receive(packet) ? takePacket(packet) : takeSilence();
         if (turn) return delivered(std::move(turn));
+        if (wantsPieces()) handOverPiece();
     }
     return std::nullopt;
 }

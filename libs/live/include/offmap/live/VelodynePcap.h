@@ -12,7 +12,8 @@
 
 namespace offmap::live {
 
-/// The turns of a Velodyne whose packets were captured to a file, with the times they came at.
+/// The turns of a Velodyne whose packets were captured to a file, with the times they came at. A
+/// turn is due when its last packet came.
 class VelodynePcap : public ScanSource {
  public:
     /// \param speed as of ReplayClock; 1: as they came
@@ -27,13 +28,16 @@ class VelodynePcap : public ScanSource {
  private:
     class Capture;
 
-    VelodyneTurn readTurn();
+    VelodyneTurn readTurn(const std::stop_token& stop);
+    bool handOverPiece(const std::stop_token& stop);
+    bool waitUntilDue(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
     void end(SourceState state, const std::string& message);
 
     std::unique_ptr<Capture> capture_;
     const bool waits_;
     VelodyneTurns turns_;
     ReplayClock clock_;
+    mrpt::Clock::time_point lastPacket_;  // of the turn that is read
 
     mutable std::mutex mutex_;
     std::condition_variable_any never_;

@@ -13,6 +13,15 @@ namespace offmap::live {
 using VelodynePacket = mrpt::obs::CObservationVelodyneScan::TVelodyneRawPacket;
 using VelodyneTurn = mrpt::obs::CObservationVelodyneScan::Ptr;
 
+/// That are worth a piece: 5 ms of a VLP-16.
+inline constexpr size_t packetsPerPiece = 4;
+
+/// Some packets of a turn.
+struct VelodynePiece {
+    size_t firstPacket = 0;  ///< of the turn, from 0
+    VelodyneTurn packets;    ///< as the turn, with these packets only
+};
+
 /// Puts the packets of a VLP-16 or HDL-32E together into turns. Every packet is in one turn, so all
 /// returns are. A turn ends where the head passes its 0 degrees: with the packet that reaches it,
 /// if the one before tells how far a packet goes, not with the first one behind. Only where the
@@ -25,6 +34,10 @@ class VelodyneTurns {
     /// \return the turn that this packet completes, or shows to be complete; null if it goes on
     /// \throw std::invalid_argument saying why, if it is a packet of neither model
     VelodyneTurn add(const VelodynePacket& packet, mrpt::Clock::time_point arrived);
+
+    /// What has come of the turn that goes on since the last call; none if it is less than that
+    /// many packets.
+    std::optional<VelodynePiece> piece(size_t leastPackets);
 
     /// What there is of the turn that goes on; null if there is none. The next packet begins a new
     /// one, and what is missing in between is not counted: for a sensor that was switched off.
@@ -43,6 +56,7 @@ class VelodyneTurns {
 
     std::string label_;
     VelodyneTurn turn_;
+    size_t inPieces_ = 0;                // of its packets
     std::optional<uint32_t> lastStamp_;  // [us] of the hour
     std::optional<int> lastRotation_;    // [1/100 deg] of a packet's first block, clockwise
     int swept_ = 0;                      // [1/100 deg] by the turn so far

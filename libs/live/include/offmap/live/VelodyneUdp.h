@@ -33,6 +33,8 @@ class VelodyneUdp : public ScanSource {
     VelodyneTurn takePacket(const VelodynePacket& packet);
     VelodyneTurn takeSilence();
     ArrivedTurn delivered(VelodyneTurn turn);
+    void handOverPiece();
+    uint64_t received() const;
 
     const std::chrono::milliseconds stallsAfter_;
     int socket_;
