@@ -2,6 +2,7 @@
 #include "VelodyneStream.h"
 
 #include <offmap/live/VelodyneTurns.h>
+#include <offmap/rawlog/VelodyneModel.h>
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,20 @@ TEST(VelodyneTurns, anotherModelIsRefused) {
     EXPECT_THROW(turns.add(packet, now), std::invalid_argument);
     EXPECT_THROW(turns.add(test::emptyHdl64Packet(0), now), std::invalid_argument);
     EXPECT_FALSE(turns.finish());
+}
+
+// Two sensors at one port: a turn of both could not be decoded.
+TEST(VelodyneTurns, aSecondModelIsRefusedWhileTheFirstGoesOn) {
+    VelodyneTurns turns("VLP16");
+    turnsOf(turns, 0, 40);
+    EXPECT_THROW(turns.add(test::emptyHdl32Packet(0), now), std::invalid_argument);
+    const auto rest = turnsOf(turns, 40, 75);
+    ASSERT_EQ(rest.size(), 1U);
+    EXPECT_FALSE(rawlog::unsupportedVelodyne(*rest.front()));
+    EXPECT_EQ(turns.packetsMissing(), 0U);
+    turns.finish();
+    EXPECT_FALSE(turns.add(test::emptyHdl32Packet(0), now)) << "it goes on alone";
+    EXPECT_TRUE(turns.finish());
 }
 
 }  // namespace

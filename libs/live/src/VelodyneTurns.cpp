@@ -2,6 +2,8 @@
 #include <offmap/live/VelodyneTurns.h>
 #include <offmap/rawlog/VelodyneModel.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -30,14 +32,19 @@ uint32_t stampOf(const VelodynePacket& packet) {
     return mrpt::toNativeEndianness(stamp);
 }
 
-/// [us] from packet to packet. \throw std::invalid_argument for another model
-double periodOf(const VelodynePacket& packet) {
+/// \throw std::invalid_argument for another model than a VLP-16 or HDL-32E
+const rawlog::VelodyneModel& modelOf(const VelodynePacket& packet) {
     Scan scan;
     scan.scan_packets.push_back(packet);
     const rawlog::VelodyneModel& model = rawlog::modelOf(scan);
     if (model.twoBanks) {
         throw std::invalid_argument("an HDL-64E, whose calibration its packets do not tell");
     }
+    return model;
+}
+
+/// [us] from packet to packet.
+double periodOf(const VelodynePacket& packet, const rawlog::VelodyneModel& model) {
     const int rotations = packet.laser_return_mode == Scan::RETMODE_DUAL
                               ? Scan::BLOCKS_PER_PACKET / 2
                               : Scan::BLOCKS_PER_PACKET;
@@ -47,7 +54,13 @@ double periodOf(const VelodynePacket& packet) {
 }  // namespace
 
 VelodyneTurn VelodyneTurns::add(const VelodynePacket& packet, mrpt::Clock::time_point arrived) {
-    countMissing(stampOf(packet), periodOf(packet));
+    const rawlog::VelodyneModel& model = modelOf(packet);
+    if (model_ && model_ != &model) {
+        throw std::invalid_argument(
+            fmt::format("of a {}, while a {} sends to the same place", model.name, model_->name));
+    }
+    model_ = &model;
+    countMissing(stampOf(packet), periodOf(packet, model));
     const Passage passage = passageTo(rotationOf(packet));
     VelodyneTurn ended = passage.ended ? std::exchange(turn_, nullptr) : nullptr;
     if (!turn_) {
@@ -73,6 +86,7 @@ std::optional<VelodynePiece> VelodyneTurns::piece(size_t leastPackets) {
 }
 
 VelodyneTurn VelodyneTurns::finish() {
+    model_ = nullptr;
     lastStamp_.reset();
     lastRotation_.reset();
     return std::exchange(turn_, nullptr);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/rawlog/VelodyneModel.h>
+
 #include <mrpt/core/Clock.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
@@ -32,7 +34,8 @@ class VelodyneTurns {
 
     /// \param arrived the turn's time is that of its first packet
     /// \return the turn that this packet completes, or shows to be complete; null if it goes on
-    /// \throw std::invalid_argument saying why, if it is a packet of neither model
+    /// \throw std::invalid_argument saying why, if it is a packet of neither model, or of another
+    /// one than those before
     VelodyneTurn add(const VelodynePacket& packet, mrpt::Clock::time_point arrived);
 
     /// What has come of the turn that goes on since the last call; none if it is less than that
@@ -55,6 +58,7 @@ class VelodyneTurns {
     Passage passageTo(int rotation);
 
     std::string label_;
+    const rawlog::VelodyneModel* model_ = nullptr;  // of the packets; null: none have come
     VelodyneTurn turn_;
     size_t inPieces_ = 0;                // of its packets
     std::optional<uint32_t> lastStamp_;  // [us] of the hour
