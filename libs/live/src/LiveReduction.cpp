@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "LiveWorkshop.h"
+
 #include <offmap/live/LiveReduction.h>
-#include <offmap/rawlog/ScanClasses.h>
 
 #include <utility>
 
@@ -8,20 +9,12 @@ namespace offmap::live {
 
 using Steady = std::chrono::steady_clock;
 
-struct LiveReduction::Workshop {
-    explicit Workshop(LiveSetup with)
-        : setup(std::move(with)), reducer(*setup.map, *setup.poses, setup.config, setup.output) {}
-
-    LiveSetup setup;
-    rawlog::TurnReducer reducer;
-};
-
 LiveReduction::LiveReduction(std::unique_ptr<ScanSource> source, LiveSetup setup,
                              LiveOptions options)
     : source_(std::move(source)),
       options_(std::move(options)),
       queue_(options_.waiting),
-      workshop_(std::make_unique<Workshop>(std::move(setup))),
+      workshop_(std::make_unique<LiveWorkshop>(std::move(setup))),
       receiver_([this](const std::stop_token& stop) { receive(stop); }),
       reducer_([this](const std::stop_token& stop) { reduceAll(stop); }) {}
 
@@ -35,7 +28,9 @@ void LiveReduction::stop() {
 }
 
 void LiveReduction::receive(const std::stop_token& stop) {
+    source_->onPiece([this](TurnPiece piece) { receivePiece(std::move(piece)); });
     while (auto turn = source_->next(stop)) {
+        pieces_.clear();
         if (source_->waits()) {
             if (!queue_.pushAll(std::move(*turn), stop)) break;
         } else {
@@ -45,15 +40,22 @@ void LiveReduction::receive(const std::stop_token& stop) {
     queue_.close();
 }
 
+/// Whoever is behind with turns has no time for pieces.
+void LiveReduction::receivePiece(TurnPiece piece) {
+    if (queue_.size() > 0) return;
+    pieces_.add(std::move(piece));
+    queue_.nudge();
+}
+
 void LiveReduction::reduceAll(const std::stop_token& stop) {
     try {
         while (!stop.stop_requested() && !queue_.ended()) {
-            const auto turn = queue_.pop(stop);
-            if (turn) {
+            if (const auto turn = queue_.pop(stop)) {
                 reduceNext(*turn);
-            } else if (!stop.stop_requested() && hasChanged()) {
-                reduceLatestAgain();
+                continue;
             }
+            while (const auto piece = pieces_.take()) workshop_->take(*piece);
+            if (!stop.stop_requested() && hasChanged()) reduceLatestAgain();
         }
         end({});
     } catch (const std::exception& error) {
@@ -67,13 +69,10 @@ LiveFramePtr LiveReduction::reduced(const ArrivedTurn& turn) {
         const std::lock_guard lock(mutex_);
         if (changed_) workshop_ = std::move(changed_);
     }
-    const mrpt::obs::CObservation& first = *turn.turn.front();
-    const auto* scanClass =
-        rawlog::scanClassOf(first, workshop_->setup.config.sensorOf(first.sensorLabel));
     auto frame = std::make_shared<LiveFrame>();
     frame->arrived = turn;
-    frame->reduced = workshop_->reducer.reduce(turn.turn, *scanClass);
-    frame->result = workshop_->reducer.result();
+    frame->reduced = workshop_->reduce(turn.turn);
+    frame->result = workshop_->result();
     frame->latency =
         std::chrono::duration<double, std::milli>(Steady::now() - turn.arrived).count();
     return frame;
@@ -139,7 +138,7 @@ LiveFigures LiveReduction::figures() const {
 }
 
 void LiveReduction::change(LiveSetup setup) {
-    auto workshop = std::make_unique<Workshop>(std::move(setup));
+    auto workshop = std::make_unique<LiveWorkshop>(std::move(setup));
     {
         const std::lock_guard lock(mutex_);
         changed_ = std::move(workshop);

@@ -5,6 +5,7 @@
 #include <offmap/live/FreshestQueue.h>
 #include <offmap/live/LiveFigures.h>
 #include <offmap/live/LiveFrame.h>
+#include <offmap/live/WaitingPieces.h>
 #include <offmap/rawlog/Config.h>
 #include <offmap/rawlog/PoseSource.h>
 
@@ -34,9 +35,12 @@ struct LiveOptions {
     std::function<void(const LiveFramePtr&)> onLatest{};
 };
 
+class LiveWorkshop;
+
 /// Reduces what a source delivers as it comes: one thread waits for the source, one reduces. Where
 /// reducing is too slow the oldest waiting turn is dropped; a source that waits is not dropped
-/// from.
+/// from. Pieces of a turn that is still going on are taken in while nothing else is to be done;
+/// what comes of a turn is the same with and without.
 class LiveReduction {
  public:
     /// Starts at once. \throw std::invalid_argument if the configuration is not valid
@@ -67,10 +71,8 @@ class LiveReduction {
     ScanSource& source() { return *source_; }
 
  private:
-    /// A reducer and what it refers to.
-    struct Workshop;
-
     void receive(const std::stop_token& stop);
+    void receivePiece(TurnPiece piece);
     void reduceAll(const std::stop_token& stop);
     void reduceNext(const ArrivedTurn& turn);
     void reduceLatestAgain();
@@ -81,10 +83,11 @@ class LiveReduction {
     std::unique_ptr<ScanSource> source_;
     const LiveOptions options_;
     FreshestQueue<ArrivedTurn> queue_;
+    WaitingPieces pieces_;  // of the turn behind those
 
     mutable std::mutex mutex_;  // of what follows
     mutable std::condition_variable_any ended_;
-    std::unique_ptr<Workshop> changed_;  // to be used from now on
+    std::unique_ptr<LiveWorkshop> changed_;  // to be used from now on
     LiveFramePtr latest_;
     rawlog::ReductionTotals totals_;
     rawlog::DurationHistogram latency_;
@@ -92,8 +95,8 @@ class LiveReduction {
     bool finished_ = false;
     std::string failure_;
 
-    std::unique_ptr<Workshop> workshop_;  // of the thread that reduces
-    std::jthread receiver_, reducer_;     // last: they end before the rest does
+    std::unique_ptr<LiveWorkshop> workshop_;  // of the thread that reduces
+    std::jthread receiver_, reducer_;         // last: they end before the rest does
 };
 
 }  // namespace offmap::live
