@@ -30,7 +30,7 @@ struct TurnRecord {
     std::array<uint64_t, core::keepReasonCount> keptByReason{};  ///< points on kept segments
     core::Health health;
     std::string notReduced;   ///< why the whole turn was kept; empty if it was not
-    double milliseconds = 0;  ///< [ms] from observation in memory to reduced observation in memory
+    double milliseconds = 0;  ///< [ms] of work, from observation in memory to reduced one in memory
 
     uint64_t removed() const {
         return removedByRay + removedByExtension + removedAsOrphans + removedByPoint;
