@@ -107,8 +107,8 @@ TEST(SplitAndMerge, pointThatStraysAloneIsOfNeitherSide) {
     EXPECT_EQ(rangesOf(piecesOf(points)), (Ranges{{0, 10}, {11, 21}}));
 }
 
-// Two points are no piece: nothing is gained by leaving out the third, as a line serves it and all
-// behind it.
+// What is left before the third point is no piece: nothing is gained by leaving that out, as a line
+// serves it and all behind it.
 TEST(SplitAndMerge, strayPointNearAnEndIsLeftToTheOthers) {
     auto points = line({2, 0}, {2, 2}, 20);
     points[2].x += 0.06;

@@ -11,7 +11,7 @@ namespace {
 constexpr double levelTolerance = 0.03;
 
 /// [m] A floor's next return is at least so much nearer to the sensor, or further, than its last.
-constexpr double leastStep = 0.1;
+constexpr double leastStep = 0.06;
 
 /// Sigmas of a single range that a return has to stand before its segment: an end of a wall may
 /// well happen to be at the height of the floor.

@@ -116,9 +116,10 @@ bool Splitting::straysAlone(const Run& run, uint32_t point, const ScaledLine& li
 }
 
 /// Splits a run that its line does not serve. If one point strays from that line alone, at it: its
-/// chord has the noise of two points. The point is left out if what is left on either side of it
-/// can be a piece. Else at the point furthest from its chord, which mostly is a corner; it begins
-/// the second part. \param line of its trial
+/// chord has the noise of two points. The point is left out if either side of it would be a piece
+/// even if it were cut once more: near an end, it may be what a floor begins with. Else at the
+/// point furthest from its chord, which mostly is a corner; it begins the second part. \param line
+/// of its trial
 std::pair<Run, Run> Splitting::split(const Run& run, const std::optional<ScaledLine>& line) const {
     const auto before = [&](uint32_t point) {
         const uint32_t at = std::clamp(point, run.begin + 1, run.end - 1);
@@ -128,7 +129,8 @@ std::pair<Run, Run> Splitting::split(const Run& run, const std::optional<ScaledL
         const uint32_t stray = run.begin + offsets(run, *line).furthest().point;
         if (straysAlone(run, stray, *line)) {
             const uint32_t shorter = std::min(stray - run.begin, run.end - (stray + 1));
-            return shorter < leastPoints() ? before(stray) : partsOf(run, stray, stray + 1);
+            const bool nearAnEnd = shorter < 2 * leastPoints();
+            return nearAnEnd ? before(stray) : partsOf(run, stray, stray + 1);
         }
     }
     return before(run.begin + offsets(run, chordOf(run)).furthest().point);
