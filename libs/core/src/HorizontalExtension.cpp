@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace offmap::core {
 
@@ -158,7 +159,7 @@ void findMatched(std::span<const SegmentMatch> matches, ExtensionScratch& scratc
         matched.push_back(s);
         runs.back().end = at + 1;
     }
-    std::ranges::sort(runs);
+    std::ranges::sort(runs, {}, [](const auto& run) { return std::pair(run.wall, run.begin); });
 }
 
 }  // namespace

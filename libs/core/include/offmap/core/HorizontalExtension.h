@@ -22,7 +22,6 @@ struct ExtensionScratch {
     /// Runs of segments in their order that were matched with one wall, sorted by wall.
     struct RunOnWall {
         uint32_t wall, begin, end;  ///< half-open range into `matched`
-        auto operator<=>(const RunOnWall&) const = default;
     };
     std::vector<uint32_t> matched;  ///< segments by column
     std::vector<RunOnWall> runs;
