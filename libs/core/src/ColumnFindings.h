@@ -35,7 +35,6 @@ class ColumnFindings {
     const std::vector<WallSight>& sights() const { return sights_; }
 
  private:
-    void addSegments(const OrganizedScan& scan, std::vector<VerticalSegment>& segments);
     void addViewpoint(const ScanColumn& column, ReductionResult& result);
     void matchByRays(ReductionResult& result, size_t firstSegment) const;
     void addSights(const OrganizedScan& scan, const ReductionResult& result, size_t firstSegment);

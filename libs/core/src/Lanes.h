@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include <cstdint>
 #include <cstring>
-#include <span>
 
 namespace offmap::core {
 
@@ -31,12 +28,6 @@ template <class Numbers>
     v = quarters > v ? quarters : v;
     const Numbers eighths = __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
     v = eighths > v ? eighths : v;
-}
-
-/// Numbers as an array. For extremes only: a sum would depend on where they begin in memory.
-inline auto arrayOf(std::span<const float> values) {
-    return Eigen::Map<const Eigen::ArrayXf>(values.data(),
-                                            static_cast<Eigen::Index>(values.size()));
 }
 
 /// Sums of many numbers, four at a time.

@@ -38,17 +38,17 @@ inline bool isGapBehind(const PlanePoints& points, uint32_t before, double maxGa
     return any != 0;
 }
 
-inline uint32_t beginOfRun(const float* x, const float* y, uint32_t end, float squaredGap) {
+/// Where the points that lead up to `end` with no step above maxGap [m] begin.
+/// \pre 0 < end <= points.size()
+inline uint32_t beginOfRunWithoutGap(const PlanePoints& points, uint32_t end, double maxGap) {
+    const float *x = points.x.data(), *y = points.y.data();
+    const auto squaredGap = static_cast<float>(maxGap * maxGap);
     uint32_t i = end - 1;
     while (i >= laneCount && !anyGap(x + i - laneCount, y + i - laneCount, squaredGap)) {
         i -= laneCount;
     }
     while (i > 0 && !isGap(x + i - 1, y + i - 1, squaredGap)) --i;
     return i;
-}
-
-inline uint32_t beginOfRunWithoutGap(const PlanePoints& points, uint32_t end, double maxGap) {
-    return beginOfRun(points.x.data(), points.y.data(), end, static_cast<float>(maxGap * maxGap));
 }
 
 }  // namespace offmap::core
