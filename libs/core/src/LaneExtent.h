@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Lanes.h"
+#include <offmap/core/Lanes.h>
 
 #include <algorithm>
 #include <cstdint>

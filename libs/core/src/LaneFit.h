@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Lanes.h"
-
+#include <offmap/core/Lanes.h>
 #include <offmap/core/LineFit.h>
 #include <offmap/core/PlanePoints.h>
 
@@ -16,13 +15,14 @@ class LaneSums {
     explicit LaneSums(const mrpt::math::TPoint2D& origin) : origin_(origin) {}
 
     /// \param last so many of the four count, the last ones
-    [[gnu::always_inline]] void add(const float* xs, const float* ys, uint32_t last = sumCount) {
-        Sums x, y;
+    [[gnu::always_inline]] void add(const float* xs, const float* ys,
+                                    uint32_t last = doubleLaneCount) {
+        DoubleLanes x, y;
         load(xs, x);
         load(ys, y);
         x -= origin_.x;
         y -= origin_.y;
-        if (last < sumCount) {
+        if (last < doubleLaneCount) {
             keepLast(last, x);
             keepLast(last, y);
         }
@@ -37,7 +37,7 @@ class LaneSums {
 
  private:
     mrpt::math::TPoint2D origin_;
-    Sums x_{}, y_{}, real_{}, halfImag_{};
+    DoubleLanes x_{}, y_{}, real_{}, halfImag_{};
 };
 
 /// Through all of the points; the sums are taken from the origin.
@@ -45,15 +45,15 @@ class LaneSums {
                                             const mrpt::math::TPoint2D& origin) {
     const auto count = static_cast<uint32_t>(points.size());
     const float *x = points.x.data(), *y = points.y.data();
-    if (count < sumCount) {
+    if (count < doubleLaneCount) {
         LineFit::Sums sums;
         for (uint32_t i = 0; i < count; ++i) sums.add(x[i] - origin.x, y[i] - origin.y);
         return {count, origin, sums};
     }
     LaneSums sums(origin);
-    const uint32_t last = count - sumCount;
+    const uint32_t last = count - doubleLaneCount;
     uint32_t i = 0;
-    for (; i <= last; i += sumCount) sums.add(x + i, y + i);
+    for (; i <= last; i += doubleLaneCount) sums.add(x + i, y + i);
     sums.add(x + last, y + last, count - i);
     return sums.fit(count);
 }

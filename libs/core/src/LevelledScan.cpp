@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ByProcessor.h"
-
+#include <offmap/core/ByProcessor.h>
 #include <offmap/core/LevelledScan.h>
 
 #include <cmath>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Lanes.h"
-
+#include <offmap/core/Lanes.h>
 #include <offmap/core/PlanePoints.h>
 
 #include <cstdint>
-#include <cstring>
 
 namespace offmap::core {
 
@@ -30,12 +28,7 @@ inline bool isGapBehind(const PlanePoints& points, uint32_t before, double maxGa
     load(y, y0);
     load(y + 1, y1);
     const Lanes squares = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0);
-    const LaneNumbers gaps = squares > squaredGap;
-    uint64_t pairs[laneCount / 2];
-    std::memcpy(pairs, &gaps, sizeof pairs);
-    uint64_t any = 0;
-    for (const uint64_t pair : pairs) any |= pair;
-    return any != 0;
+    return any(squares > squaredGap);
 }
 
 /// Where the points that lead up to `end` with no step above maxGap [m] begin.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ByProcessor.h"
 #include "LaneExtent.h"
 #include "RootOfSquares.h"
 #include "SegmentAtWall.h"
+
+#include <offmap/core/ByProcessor.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ByProcessor.h"
 #include "LaneFit.h"
 #include "OffsetsFromLine.h"
 #include "RunWithoutGap.h"
 
+#include <offmap/core/ByProcessor.h>
 #include <offmap/core/SplitAndMerge.h>
 
 #include <algorithm>

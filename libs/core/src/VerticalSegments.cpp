@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ByProcessor.h"
 #include "LaneExtent.h"
-#include "Lanes.h"
 
+#include <offmap/core/ByProcessor.h>
+#include <offmap/core/Lanes.h>
 #include <offmap/core/VerticalSegments.h>
 
 #include <algorithm>
@@ -16,15 +16,15 @@ using mrpt::math::TPoint2D;
 namespace {
 
 OFFMAP_BY_PROCESSOR TPoint2D centreOf(const float* x, const float* y, uint32_t count) {
-    if (count < sumCount) {
+    if (count < doubleLaneCount) {
         TPoint2D sum;
         for (uint32_t i = 0; i < count; ++i) sum += TPoint2D(x[i], y[i]);
         return sum * (1.0 / count);
     }
-    const uint32_t last = count - sumCount;
-    Sums sumsX{}, sumsY{}, more;
+    const uint32_t last = count - doubleLaneCount;
+    DoubleLanes sumsX{}, sumsY{}, more;
     uint32_t i = 0;
-    for (; i <= last; i += sumCount) {
+    for (; i <= last; i += doubleLaneCount) {
         load(x + i, more);
         sumsX += more;
         load(y + i, more);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ByProcessor.h"
-#include "Lanes.h"
-
+#include <offmap/core/ByProcessor.h>
+#include <offmap/core/Lanes.h>
 #include <offmap/core/WallSight.h>
 
 #include <cmath>
@@ -21,16 +20,16 @@ struct Moments {
 
 OFFMAP_BY_PROCESSOR Moments momentsOf(const float* x, const float* y, const float* z,
                                       uint32_t count, double centreX, double centreY) {
-    const uint32_t blocks = count / sumCount * sumCount;
-    Sums heights{}, squares{}, alongX{}, alongY{}, east, north, up;
-    for (uint32_t i = 0; i < blocks; i += sumCount) {
+    const uint32_t blocks = count / doubleLaneCount * doubleLaneCount;
+    DoubleLanes heights{}, squares{}, alongX{}, alongY{}, east, north, up;
+    for (uint32_t i = 0; i < blocks; i += doubleLaneCount) {
         load(z + i, up);
         heights += up;
     }
     double height = total(heights);
     for (uint32_t i = blocks; i < count; ++i) height += static_cast<double>(z[i]);
     height /= count;
-    for (uint32_t i = 0; i < blocks; i += sumCount) {
+    for (uint32_t i = 0; i < blocks; i += doubleLaneCount) {
         load(x + i, east);
         load(y + i, north);
         load(z + i, up);

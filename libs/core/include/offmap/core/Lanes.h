@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace offmap::core {
 
@@ -19,6 +20,17 @@ using LaneNumbers [[gnu::vector_size(laneCount * sizeof(int32_t))]] = int32_t;
 /// The same for a single number, so that code for both can be written once.
 [[gnu::always_inline]] inline void load(const float* values, float& number) { number = *values; }
 
+/// Whether a comparison holds in any lane.
+template <class Comparison>
+[[gnu::always_inline]] inline bool any(const Comparison& comparison) {
+    if constexpr (std::is_integral_v<Comparison>) return comparison != 0;
+    uint64_t words[sizeof comparison / sizeof(uint64_t)];
+    std::memcpy(words, &comparison, sizeof words);
+    uint64_t all = 0;
+    for (const uint64_t word : words) all |= word;
+    return all != 0;
+}
+
 /// The greatest of all lanes ends up in each.
 template <class Numbers>
 [[gnu::always_inline]] inline void spreadGreatest(Numbers& v) {
@@ -30,23 +42,24 @@ template <class Numbers>
     v = eighths > v ? eighths : v;
 }
 
-/// Sums of many numbers, four at a time.
-inline constexpr uint32_t sumCount = 4;
-using Sums [[gnu::vector_size(sumCount * sizeof(double))]] = double;
+/// The same for what is summed up: numbers of twice the length, half as many.
+inline constexpr uint32_t doubleLaneCount = 4;
+using DoubleLanes [[gnu::vector_size(doubleLaneCount * sizeof(double))]] = double;
 
-[[gnu::always_inline]] inline void load(const float* values, Sums& sums) {
-    sums = Sums{values[0], values[1], values[2], values[3]};  // becomes one conversion
+[[gnu::always_inline]] inline void load(const float* values, DoubleLanes& lanes) {
+    lanes = DoubleLanes{values[0], values[1], values[2], values[3]};  // becomes one conversion
 }
+[[gnu::always_inline]] inline void load(const float* values, double& number) { number = *values; }
 
 /// Leaves the last of the lanes as they are, the others become 0.
-[[gnu::always_inline]] inline void keepLast(uint32_t lanes, Sums& sums) {
-    using Numbers [[gnu::vector_size(sizeof(Sums))]] = int64_t;
+[[gnu::always_inline]] inline void keepLast(uint32_t count, DoubleLanes& lanes) {
+    using Numbers [[gnu::vector_size(sizeof(DoubleLanes))]] = int64_t;
     constexpr Numbers fromLast = {4, 3, 2, 1};
-    sums = fromLast <= int64_t{lanes} ? sums : Sums{};
+    lanes = fromLast <= int64_t{count} ? lanes : DoubleLanes{};
 }
 
-[[gnu::always_inline]] inline double total(const Sums& sums) {
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+[[gnu::always_inline]] inline double total(const DoubleLanes& lanes) {
+    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
 }  // namespace offmap::core
