@@ -22,6 +22,25 @@ namespace {
 using mrpt::DEG2RAD;
 using mrpt::math::TPoint3Df;
 
+/// Columns, and the one of each point.
+struct Found {
+    std::vector<double> azimuths;
+    std::vector<uint32_t> columnOf;
+};
+
+Found columnsOf(const std::vector<TPoint3Df>& points, double width) {
+    const CloudArrays arrays(points);
+    const CloudColumns columns = findCloudColumns(arrays.points(), width);
+    Found found{columns.azimuths, {}};
+    for (const ColumnRun& run : columns.runs) {
+        EXPECT_EQ(run.begin, found.columnOf.size());
+        EXPECT_LT(run.begin, run.end);
+        found.columnOf.resize(run.end, run.column);
+    }
+    EXPECT_EQ(found.columnOf.size(), points.size());
+    return found;
+}
+
 TPoint3Df pointAt(double azimuth, double groundRange, double z) {
     return {static_cast<float>(groundRange * std::cos(azimuth)),
             static_cast<float>(groundRange * std::sin(azimuth)), static_cast<float>(z)};
@@ -46,7 +65,7 @@ TEST(CloudColumns, exactAzimuthsAreTheColumns) {
     const double step = DEG2RAD(0.5);
     // The first column straddles -pi: rounding leaves its points on both sides.
     const auto azimuths = evenAzimuths(720, -std::numbers::pi, step);
-    const auto columns = findCloudColumns(columnsAt(azimuths), 0);
+    const auto columns = columnsOf(columnsAt(azimuths), 0);
     ASSERT_EQ(columns.azimuths.size(), 720U);
     for (size_t i = 0; i < columns.columnOf.size(); ++i) {
         const double found = columns.azimuths[columns.columnOf[i]];
@@ -62,7 +81,7 @@ void expectSameShuffled(const std::vector<TPoint3Df>& points) {
     std::shuffle(order.begin(), order.end(), std::mt19937(7));
     std::vector<TPoint3Df> shuffled;
     for (const size_t i : order) shuffled.push_back(points[i]);
-    const auto columns = findCloudColumns(points, 0), other = findCloudColumns(shuffled, 0);
+    const auto columns = columnsOf(points, 0), other = columnsOf(shuffled, 0);
     ASSERT_EQ(columns.azimuths.size(), other.azimuths.size());
     for (size_t c = 0; c < columns.azimuths.size(); ++c) {
         EXPECT_NEAR(columns.azimuths[c], other.azimuths[c], 2e-11);
@@ -92,25 +111,41 @@ TEST(CloudColumns, columnsStoredInSeveralPiecesAreWhole) {
     const auto once = columnsAt(evenAzimuths(300, -2.0, DEG2RAD(0.5)));
     auto twice = once;
     twice.insert(twice.end(), once.rbegin(), once.rend());
-    EXPECT_EQ(findCloudColumns(twice, 0).azimuths.size(), 300U);
+    EXPECT_EQ(columnsOf(twice, 0).azimuths.size(), 300U);
     expectSameShuffled(twice);
 }
 
 TEST(CloudColumns, columnsFinerThanAnArcAreToldApart) {
     const auto fine = columnsAt(evenAzimuths(900, 0.5, DEG2RAD(0.015)));
-    EXPECT_EQ(findCloudColumns(fine, 0).azimuths.size(), 900U);
+    EXPECT_EQ(columnsOf(fine, 0).azimuths.size(), 900U);
     expectSameShuffled(fine);
+}
+
+TEST(CloudColumns, whereTheTurnBeginsAndWhichWayRoundItGoesDoesNotMatter) {
+    auto azimuths = evenAzimuths(360, -3.1, DEG2RAD(1.0));
+    const auto columns = columnsOf(columnsAt(azimuths), 0);
+    for (const int turned : {0, 1, 100, 359}) {
+        std::rotate(azimuths.begin(), azimuths.begin() + turned, azimuths.end());
+        std::reverse(azimuths.begin(), azimuths.end());
+        const auto points = columnsAt(azimuths);
+        const auto other = columnsOf(points, 0);
+        ASSERT_EQ(other.azimuths.size(), columns.azimuths.size());
+        for (size_t c = 0; c < columns.azimuths.size(); ++c) {
+            EXPECT_NEAR(columns.azimuths[c], other.azimuths[c], 1e-14);
+        }
+        expectSameShuffled(points);
+    }
 }
 
 TEST(CloudColumns, sectorHasColumnsOfItsOwn) {
     const auto azimuths = evenAzimuths(90, -0.8, DEG2RAD(1.0));
-    EXPECT_EQ(findCloudColumns(columnsAt(azimuths), 0).azimuths.size(), 90U);
+    EXPECT_EQ(columnsOf(columnsAt(azimuths), 0).azimuths.size(), 90U);
 }
 
 TEST(CloudColumns, missingColumnsLeaveTheOthersAlone) {
     auto azimuths = evenAzimuths(360, -3.0, DEG2RAD(1.0));
     azimuths.erase(azimuths.begin() + 100, azimuths.begin() + 103);
-    EXPECT_EQ(findCloudColumns(columnsAt(azimuths), 0).azimuths.size(), 357U);
+    EXPECT_EQ(columnsOf(columnsAt(azimuths), 0).azimuths.size(), 357U);
 }
 
 TEST(CloudColumns, pointsNearTheVerticalAxisBlurNothing) {
@@ -119,7 +154,7 @@ TEST(CloudColumns, pointsNearTheVerticalAxisBlurNothing) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> anywhere(-std::numbers::pi, std::numbers::pi);
     for (int i = 0; i < 2000; ++i) points.push_back(pointAt(anywhere(random), 0.02, 2));
-    const auto columns = findCloudColumns(points, 0);
+    const auto columns = columnsOf(points, 0);
     ASSERT_EQ(columns.azimuths.size(), 360U);
     for (size_t i = azimuths.size() * 16; i < points.size(); ++i) {
         const double azimuth = std::atan2(points[i].y, points[i].x);
@@ -133,7 +168,7 @@ TEST(CloudColumns, azimuthsAtRandomGetFixedBins) {
     std::uniform_real_distribution<double> anywhere(-std::numbers::pi, std::numbers::pi);
     std::vector<TPoint3Df> points;
     for (int i = 0; i < 28'800; ++i) points.push_back(pointAt(anywhere(random), 3, 0));
-    const auto columns = findCloudColumns(points, 0);
+    const auto columns = columnsOf(points, 0);
     // 32 points a column are 900 columns of 0.4 degrees; a bin without a point has odds of e^-32.
     ASSERT_EQ(columns.azimuths.size(), 900U);
     for (size_t i = 0; i < points.size(); ++i) {
@@ -147,22 +182,22 @@ TEST(CloudColumns, evenlySpreadAzimuthsGetFixedBins) {
     std::vector<TPoint3Df> points;
     for (int i = 0; i < 3600; ++i) points.push_back(pointAt(DEG2RAD(0.1) * i - 3, 2, 1));
     // 32 * 0.1 degrees are more than the widest column, 2 degrees.
-    EXPECT_EQ(findCloudColumns(points, 0).azimuths.size(), 180U);
+    EXPECT_EQ(columnsOf(points, 0).azimuths.size(), 180U);
 }
 
 TEST(CloudColumns, givenWidthClosesAroundTheCircle) {
     const auto points = columnsAt(evenAzimuths(720, -3.0, DEG2RAD(0.5)));
-    EXPECT_EQ(findCloudColumns(points, DEG2RAD(7.0)).azimuths.size(), 51U);  // 360 / 51 = 7.06
+    EXPECT_EQ(columnsOf(points, DEG2RAD(7.0)).azimuths.size(), 51U);  // 360 / 51 = 7.06
 }
 
 TEST(CloudColumns, cloudWithoutPointsHasNone) {
-    EXPECT_TRUE(findCloudColumns({}, 0).azimuths.empty());
-    EXPECT_TRUE(findCloudColumns({}, 0.01).azimuths.empty());
+    EXPECT_TRUE(columnsOf({}, 0).azimuths.empty());
+    EXPECT_TRUE(columnsOf({}, 0.01).azimuths.empty());
 }
 
 TEST(CloudColumns, onePointIsOneColumn) {
     const std::vector<TPoint3Df> one = {{1, 0, 0}};
-    EXPECT_EQ(findCloudColumns(one, 0).columnOf, std::vector<uint32_t>{0});
+    EXPECT_EQ(columnsOf(one, 0).columnOf, std::vector<uint32_t>{0});
 }
 
 // The scanner took two profiles at each azimuth, and several while it began to turn.
@@ -185,7 +220,7 @@ TEST(CloudColumns, realTurnHasTheColumnsOfItsProfiles) {
         points.emplace_back();
         clouds[0]->pointcloud->getPointFast(i, points.back().x, points.back().y, points.back().z);
     }
-    EXPECT_EQ(findCloudColumns(points, 0).azimuths.size(), apart);
+    EXPECT_EQ(columnsOf(points, 0).azimuths.size(), apart);
 }
 
 }  // namespace

@@ -2,11 +2,19 @@
 #include <offmap/rawlog/ColumnBuilder.h>
 
 #include <gtest/gtest.h>
+#include <mrpt/core/bits_math.h>
 #include <mrpt/math/wrap2pi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
 
 namespace offmap::rawlog {
 namespace {
 
+using mrpt::math::TPoint3Df;
 using mrpt::poses::CPose3D;
 
 TEST(ColumnBuilder, uprightMountingTurnsAzimuthsAsOneThatHardlyLeans) {
@@ -24,6 +32,84 @@ TEST(ColumnBuilder, uprightMountingTurnsAzimuthsAsOneThatHardlyLeans) {
 
 TEST(ColumnBuilder, mountingUpsideDownMirrorsAzimuths) {
     EXPECT_NEAR(azimuthInVehicle(0.5, CPose3D(0, 0, 0, 0, 0, M_PI)), -0.5, 1e-12);
+}
+
+/// Returns 1 degree above each other, at ranges of their own.
+std::vector<TPoint3Df> upwardReturns(size_t count, const CPose3D& sensorInVehicle) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> range(1, 40);
+    std::vector<TPoint3Df> points;
+    for (size_t i = 0; i < count; ++i) {
+        const double r = range(random), elevation = mrpt::DEG2RAD(static_cast<double>(i) - 30.0);
+        const mrpt::math::TVector3D inVehicle(r * std::cos(elevation), 0, r * std::sin(elevation));
+        points.emplace_back(TPoint3Df(sensorInVehicle.inverseRotateVector(inVehicle)));
+    }
+    return points;
+}
+
+/// A column as appendColumn() makes it, and as appendColumnInOrder() does if it does.
+struct BothWays {
+    BothWays(const std::vector<TPoint3Df>& points, const CPose3D& sensorInVehicle) {
+        std::vector<ColumnReturn> returns;
+        for (uint32_t i = 0; i < points.size(); ++i) returns.push_back({points[i], 100 + i});
+        appendColumn(sorted, {}, sensorInVehicle, returns);
+        const CloudArrays arrays(points);
+        const PointSlots slots{.first = 100, .listed = {}};
+        taken = appendColumnInOrder(asItStands, {}, sensorInVehicle, arrays.points(), slots, 0,
+                                    static_cast<uint32_t>(points.size()));
+    }
+    void expectTheSame() const {
+        ASSERT_TRUE(taken);
+        EXPECT_EQ(asItStands.scan.points, sorted.scan.points);
+        EXPECT_EQ(asItStands.scan.sourceIndex, sorted.scan.sourceIndex);
+        ASSERT_EQ(asItStands.scan.columns.size(), 1U);
+        EXPECT_EQ(asItStands.scan.columns[0].begin, sorted.scan.columns[0].begin);
+        EXPECT_EQ(asItStands.scan.columns[0].end, sorted.scan.columns[0].end);
+    }
+    void expectNothingDone() const {
+        EXPECT_FALSE(taken);
+        EXPECT_TRUE(asItStands.scan.points.empty());
+        EXPECT_TRUE(asItStands.scan.sourceIndex.empty());
+        EXPECT_TRUE(asItStands.scan.columns.empty());
+    }
+    TurnScan sorted, asItStands;
+    bool taken = false;
+};
+
+TEST(ColumnBuilder, columnsThatStandInOrderNeedNoSorting) {
+    for (const CPose3D& mounting : {CPose3D(), CPose3D(0, 0, 1, 0.5, 0.1, -0.2)}) {
+        for (size_t count = 1; count < 40; ++count) {
+            SCOPED_TRACE(count);
+            auto points = upwardReturns(count, mounting);
+            BothWays(points, mounting).expectTheSame();
+            std::reverse(points.begin(), points.end());
+            BothWays(points, mounting).expectTheSame();
+        }
+    }
+}
+
+TEST(ColumnBuilder, aSingleReturnOutOfOrderIsNoticedWhereverItStands) {
+    for (size_t count = 3; count < 30; ++count) {
+        for (size_t i = 0; i + 1 < count; ++i) {
+            SCOPED_TRACE(testing::Message() << i << " of " << count);
+            auto points = upwardReturns(count, {});
+            std::swap(points[i], points[i + 1]);
+            BothWays(points, {}).expectNothingDone();
+            points[i + 1] = points[i];  // and one that repeats the one below
+            BothWays(points, {}).expectNothingDone();
+        }
+    }
+}
+
+TEST(ColumnBuilder, takesTheListedSlotsOfAStretchOfACloud) {
+    const auto points = upwardReturns(20, {});
+    std::vector<uint32_t> listed;
+    for (uint32_t i = 0; i < points.size(); ++i) listed.push_back(7 * i);
+    TurnScan out;
+    const CloudArrays arrays(points);
+    ASSERT_TRUE(appendColumnInOrder(out, {}, {}, arrays.points(), {0, listed}, 5, 8));
+    EXPECT_EQ(out.scan.points, std::vector<TPoint3Df>(points.begin() + 5, points.begin() + 8));
+    EXPECT_EQ(out.scan.sourceIndex, (std::vector<uint32_t>{35, 42, 49}));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AzimuthArcs.h"
 
+#include <offmap/core/ByProcessor.h>
+#include <offmap/core/Lanes.h>
+
 #include <mrpt/core/bits_math.h>
-#include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -11,65 +13,96 @@ namespace offmap::rawlog {
 
 namespace {
 
-using mrpt::math::TPoint3Df;
-
 /// [rad] To either side of an arc's first point. Less than between the columns of any scanner, more
 /// than what float coordinates leave uncertain.
 constexpr double halfLength = mrpt::DEG2RAD(0.02);
 /// Fewer on average are no columns.
 constexpr size_t pointsPerArc = 4;
+/// Angles [rad] from an arc's first point to others, of one at a time or of as many as there are
+/// lanes. Their tangents stand for them: 1.4e-11 rad more at most.
+template <class Numbers>
+class ArcAngles {
+ public:
+    ArcAngles(double x0, double y0) : x0_(x0), y0_(y0) {}
+
+    /// Adds all or none. \return false if a point looks another way
+    [[gnu::always_inline]] bool add(const float* xs, const float* ys) {
+        Numbers x, y;
+        core::load(xs, x);
+        core::load(ys, y);
+        const Numbers along = x0_ * x + y0_ * y, across = x0_ * y - y0_ * x;
+        const Numbers widest = halfLength * along;
+        const auto seen = x * x + y * y >= minGroundRange * minGroundRange;
+        if (core::any(seen & ((across > widest) | (-across > widest)))) return false;
+        const Numbers none{}, angles = seen ? across / along : none;
+        least_ = angles < least_ ? angles : least_;
+        greatest_ = angles > greatest_ ? angles : greatest_;
+        sum_ += angles;
+        points_ += seen ? none + 1 : none;
+        return true;
+    }
+
+    const Numbers& least() const { return least_; }
+    const Numbers& greatest() const { return greatest_; }
+    const Numbers& sum() const { return sum_; }
+    const Numbers& points() const { return points_; }
+
+ private:
+    double x0_, y0_;
+    Numbers least_{}, greatest_{}, sum_{}, points_{};
+};
 
 /// The arc of a point that has an azimuth and of those behind it, up to the first one that looks
 /// another way.
-AzimuthArc arcFrom(std::span<const TPoint3Df> points, size_t first) {
-    const double x0 = points[first].x, y0 = points[first].y;
-    double least = 0, greatest = 0, sum = 0;  // [rad] from the first point
+OFFMAP_BY_PROCESSOR AzimuthArc arcFrom(const CloudPoints& points, uint32_t first) {
+    const float *x = points.x.data(), *y = points.y.data();
+    const auto count = static_cast<uint32_t>(points.size());
+    ArcAngles<core::DoubleLanes> many(x[first], y[first]);
+    ArcAngles<double> rest(x[first], y[first]);
+    uint32_t end = first;
+    while (end + core::doubleLaneCount <= count && many.add(x + end, y + end)) {
+        end += core::doubleLaneCount;
+    }
+    while (end < count && rest.add(x + end, y + end)) ++end;
+
+    double least = rest.least(), greatest = rest.greatest();
+    for (uint32_t lane = 0; lane < core::doubleLaneCount; ++lane) {
+        least = std::min(least, many.least()[lane]);
+        greatest = std::max(greatest, many.greatest()[lane]);
+    }
+    const double seen = core::total(many.points()) + rest.points();
     AzimuthArc arc;
     arc.first = first;
-    arc.points = 1;
-    for (arc.end = first + 1; arc.end < points.size(); ++arc.end) {
-        const TPoint3Df& point = points[arc.end];
-        if (!hasAzimuth(point)) continue;
-        const double x = point.x, y = point.y;
-        const double along = x0 * x + y0 * y, across = x0 * y - y0 * x;
-        if (std::abs(across) > halfLength * along) break;
-        const double angle = across / along;  // its tangent: 1.4e-11 rad more at most
-        least = std::min(least, angle);
-        greatest = std::max(greatest, angle);
-        sum += angle;
-        ++arc.points;
-    }
-    arc.begin = mrpt::math::wrapToPi(std::atan2(y0, x0) + least);
+    arc.end = end;
+    arc.points = static_cast<uint32_t>(seen);
+    arc.begin = wrapped(azimuthOf(x[first], y[first]) + least);
     arc.length = greatest - least;
-    arc.sum = sum - least * static_cast<double>(arc.points);
+    arc.sum = core::total(many.sum()) + rest.sum() - least * seen;
     return arc;
 }
 
-bool beginsBefore(const AzimuthArc& a, const AzimuthArc& b) { return a.begin < b.begin; }
-
 }  // namespace
 
-std::vector<AzimuthArc> arcsInOrder(std::span<const TPoint3Df> points) {
+std::vector<AzimuthArc> arcsInOrder(const CloudPoints& points) {
     std::vector<AzimuthArc> arcs;
     const size_t most = points.size() / pointsPerArc;
-    auto next = std::ranges::find_if(points, hasAzimuth);
-    while (next != points.end()) {
+    uint32_t next = 0;
+    while (next < points.size() && !hasAzimuth(points.x[next], points.y[next])) ++next;
+    while (next < points.size()) {
         if (arcs.size() == most) return {};
-        arcs.push_back(arcFrom(points, static_cast<size_t>(next - points.begin())));
-        next = points.begin() + static_cast<std::ptrdiff_t>(arcs.back().end);
+        arcs.push_back(arcFrom(points, next));
+        next = arcs.back().end;
     }
     if (!arcs.empty()) arcs.front().first = 0;
-    if (!std::is_sorted(arcs.begin(), arcs.end(), beginsBefore)) {
-        std::sort(arcs.begin(), arcs.end(), beginsBefore);
-    }
     return arcs;
 }
 
-std::vector<AzimuthArc> arcsOfPoints(std::span<const TPoint3Df> points) {
+std::vector<AzimuthArc> arcsOfPoints(const CloudPoints& points) {
     std::vector<double> azimuths;
     azimuths.reserve(points.size());
-    for (const TPoint3Df& p : points) {
-        if (hasAzimuth(p)) azimuths.push_back(azimuthOf(p));
+    for (size_t i = 0; i < points.size(); ++i) {
+        const float x = points.x[i], y = points.y[i];
+        if (hasAzimuth(x, y)) azimuths.push_back(azimuthOf(x, y));
     }
     std::sort(azimuths.begin(), azimuths.end());
     std::vector<AzimuthArc> arcs(azimuths.size());

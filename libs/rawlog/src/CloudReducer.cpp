@@ -23,8 +23,9 @@ const std::vector<core::PointLabel>& CloudReducer::reduce(
     const mrpt::poses::CPose3DPDFGaussian& vehicleInMap,
     const mrpt::poses::CPose3D& sensorInVehicle) {
     organized_ = {};
-    appendCloud(organized_, {points, {}, FixedPose(vehicleInMap).at({}), sensorInVehicle}, 0,
-                sensor_);
+    const CloudArrays arrays(points);
+    appendCloud(organized_, {arrays.points(), {}, FixedPose(vehicleInMap).at({}), sensorInVehicle},
+                0, sensor_);
     maskSelfReturns(organized_, sensor_);
     result_ = &reducer_.reduce(organized_.scan);
     labels_.assign(points.size(), core::PointLabel::NotOnVerticalSegment);

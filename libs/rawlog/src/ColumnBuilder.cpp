@@ -1,78 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ElevationOrder.h"
+
 #include <offmap/rawlog/ColumnBuilder.h>
 
 #include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace offmap::rawlog {
-
-using mrpt::math::TPoint3Df;
-
-namespace {
-
-double squaredRange(const TPoint3Df& p) {
-    const double x = p.x, y = p.y, z = p.z;
-    return x * x + y * y + z * z;
-}
-
-bool comesFirst(const ColumnReturn& a, const ColumnReturn& b) {  // of two at one elevation
-    const auto key = [](const ColumnReturn& r) {
-        return std::make_tuple(squaredRange(r.point), r.point.x, r.point.y, r.point.z, r.slot);
-    };
-    return key(a) < key(b);
-}
-
-struct Below {  // a type, so that what sorts knows it
-    bool operator()(const ColumnReturn& a, const ColumnReturn& b) const {
-        if (a.squaredSine != b.squaredSine) return a.squaredSine < b.squaredSine;
-        return comesFirst(a, b);
-    }
-};
-
-/// What is above the horizontal plane of a sensor in the vehicle's axes.
-class Upwards {
- public:
-    explicit Upwards(const mrpt::poses::CPose3D& sensorInVehicle) {
-        const auto& rotation = sensorInVehicle.getRotationMatrix();
-        x_ = rotation(2, 0), y_ = rotation(2, 1), z_ = rotation(2, 2);
-    }
-    /// [m^2] Square of the height, with its sign.
-    double squaredHeight(const TPoint3Df& p) const {
-        const double height = x_ * p.x + y_ * p.y + z_ * p.z;
-        return height * std::abs(height);
-    }
-
- private:
-    double x_, y_, z_;
-};
-
-/// Whether each return stands clearly above the one before, so that rounding cannot make it look
-/// otherwise. Told without divisions; mostly, they do.
-bool standInOrder(std::span<const ColumnReturn> returns, const Upwards& up) {
-    constexpr double rounding = 1e-12;
-    double heightBefore = -1, rangeBefore = 0;  // [m^2] below anything
-    for (const ColumnReturn& r : returns) {
-        const double height = up.squaredHeight(r.point), range = squaredRange(r.point);
-        if (!(height * rangeBefore - heightBefore * range > rounding * range * rangeBefore)) {
-            return false;
-        }
-        heightBefore = height;
-        rangeBefore = range;
-    }
-    return true;
-}
-
-void putInOrder(std::span<ColumnReturn> returns, const Upwards& up) {
-    for (ColumnReturn& r : returns) {
-        r.squaredSine = up.squaredHeight(r.point) / squaredRange(r.point);
-    }
-    std::sort(returns.begin(), returns.end(), Below());
-}
-
-}  // namespace
 
 void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
                  const mrpt::poses::CPose3D& sensorInVehicle) {
@@ -96,8 +32,8 @@ double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sens
 void appendColumn(TurnScan& out, core::ScanColumn column,
                   const mrpt::poses::CPose3D& sensorInVehicle, std::span<ColumnReturn> returns) {
     const Upwards up(sensorInVehicle);
-    const bool inOrder = standInOrder(returns, up);
-    if (!inOrder) putInOrder(returns, up);
+    const bool inOrder = standUpward(returns, up);
+    if (!inOrder) sortUpward(returns, up);
 
     column.begin = static_cast<uint32_t>(out.scan.points.size());
     for (const ColumnReturn& r : returns) {
@@ -112,6 +48,31 @@ void appendColumn(TurnScan& out, core::ScanColumn column,
     }
     column.end = static_cast<uint32_t>(out.scan.points.size());
     out.scan.columns.push_back(column);
+}
+
+bool appendColumnInOrder(TurnScan& out, core::ScanColumn column,
+                         const mrpt::poses::CPose3D& sensorInVehicle, const CloudPoints& points,
+                         const PointSlots& slots, uint32_t begin, uint32_t end) {
+    const CloudPoints ofColumn = points.subspan(begin, end - begin);
+    const Upwards up(sensorInVehicle);
+    const bool upward = standUpward(ofColumn, up);
+    if (!upward && !standUpward(ofColumn, up.reversed())) return false;
+
+    const size_t before = out.scan.points.size();
+    out.scan.points.resize(before + ofColumn.size());
+    out.scan.sourceIndex.resize(before + ofColumn.size());
+    const auto copied = std::span(out.scan.points).subspan(before);
+    const auto slot = std::span(out.scan.sourceIndex).subspan(before);
+    for (size_t i = 0; i < ofColumn.size(); ++i) copied[i] = ofColumn[i];
+    for (uint32_t i = begin; i < end; ++i) slot[i - begin] = slots[i];
+    if (!upward) {
+        std::ranges::reverse(copied);
+        std::ranges::reverse(slot);
+    }
+    column.begin = static_cast<uint32_t>(before);
+    column.end = static_cast<uint32_t>(out.scan.points.size());
+    out.scan.columns.push_back(column);
+    return true;
 }
 
 }  // namespace offmap::rawlog

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace offmap::rawlog {
 
@@ -92,14 +93,15 @@ std::vector<ImageColumn> gathered(const RangeImage& image, const ImageLines& lin
             azimuths.between(lines.pixel(line, place), lines.pixel(line ? line - 1 : 0, place));
         width = std::clamp(onePixel, mrpt::DEG2RAD(0.05), mrpt::DEG2RAD(2.0));
     }
-    std::vector<TPoint3Df> rays;
+    CloudArrays rays;
     rays.reserve(image.pixels());
     for (size_t pixel = 0; pixel < image.pixels(); ++pixel) rays.push_back(azimuths.ray(pixel));
-    const CloudColumns bins = findCloudColumns(rays, width);
+    const CloudColumns bins = findCloudColumns(rays.points(), width);
     std::vector<ImageColumn> columns(bins.azimuths.size());
     for (size_t c = 0; c < columns.size(); ++c) columns[c].azimuth = bins.azimuths[c];
-    for (size_t pixel = rays.size(); pixel-- > 0;) {  // bottom row first: nearly sorted, quickly so
-        columns[bins.columnOf[pixel]].pixels.push_back(static_cast<uint32_t>(pixel));
+    for (const ColumnRun& run : bins.runs | std::views::reverse) {
+        auto& pixels = columns[run.column].pixels;  // bottom row first: nearly sorted, quickly so
+        for (uint32_t pixel = run.end; pixel-- > run.begin;) pixels.push_back(pixel);
     }
     return columns;
 }

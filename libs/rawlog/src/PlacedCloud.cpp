@@ -1,61 +1,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/ByProcessor.h>
 #include <offmap/rawlog/CloudColumns.h>
 #include <offmap/rawlog/ColumnBuilder.h>
 #include <offmap/rawlog/PlacedCloud.h>
 
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
 
 namespace offmap::rawlog {
 
-using mrpt::math::TPoint3Df;
-
 namespace {
+
+/// Whether all of some points are clearly returns; told quickly.
+OFFMAP_BY_PROCESSOR bool areReturns(const CloudPoints& points) {
+    uint32_t others = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const float sum = std::abs(points.x[i]) + std::abs(points.y[i]) + std::abs(points.z[i]);
+        others += !((0 < sum) & (sum <= std::numeric_limits<float>::max()));
+    }
+    return others == 0;
+}
 
 /// The points that are returns, and their slots in the turn. Mostly, all of them are: then nothing
 /// is copied.
 class CloudReturns {
  public:
-    CloudReturns(std::span<const TPoint3Df> points, uint32_t firstSlot, ReturnCounts& counts)
+    CloudReturns(const CloudPoints& points, uint32_t firstSlot, ReturnCounts& counts)
         : points_(points), firstSlot_(firstSlot) {
-        const uint64_t before = counts.returns;
-        for (const TPoint3Df& point : points) countReturn(counts, point);
-        if (counts.returns - before == points.size()) return;
-        ReturnCounts again;
+        if (areReturns(points)) {
+            counts.returns += points.size();
+            return;
+        }
         for (uint32_t i = 0; i < points.size(); ++i) {
-            if (!countReturn(again, points[i])) continue;
+            if (!countReturn(counts, points[i])) continue;
             some_.push_back(points[i]);
             slots_.push_back(firstSlot + i);
         }
-        points_ = some_;
+        points_ = some_.points();
     }
     CloudReturns(const CloudReturns&) = delete;
     CloudReturns& operator=(const CloudReturns&) = delete;
 
-    std::span<const TPoint3Df> points() const { return points_; }
-    uint32_t slot(uint32_t i) const { return slots_.empty() ? firstSlot_ + i : slots_[i]; }
+    const CloudPoints& points() const { return points_; }
+    PointSlots slots() const { return {firstSlot_, slots_}; }
 
  private:
-    std::span<const TPoint3Df> points_;
+    CloudPoints points_;
     uint32_t firstSlot_;
-    std::vector<TPoint3Df> some_;
+    CloudArrays some_;
     std::vector<uint32_t> slots_;  // of some_
 };
 
-/// The returns column after column, and where each column ends.
+/// The runs column after column, and where each column ends.
 struct ColumnOrder {
-    std::vector<uint32_t> returns, ends;
+    std::vector<ColumnRun> runs;
+    std::vector<uint32_t> ends;
 };
 
 ColumnOrder orderOf(const CloudColumns& columns) {
-    ColumnOrder order{std::vector<uint32_t>(columns.columnOf.size()),
+    ColumnOrder order{std::vector<ColumnRun>(columns.runs.size()),
                       std::vector<uint32_t>(columns.azimuths.size() + 1, 0)};
-    auto& [returns, ends] = order;
-    for (const uint32_t column : columns.columnOf) ++ends[column + 1];
+    auto& [runs, ends] = order;
+    for (const ColumnRun& run : columns.runs) ++ends[run.column + 1];
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     // Now ends[c] is where column c begins, and moves to its end as it is filled.
-    for (uint32_t i = 0; i < returns.size(); ++i) returns[ends[columns.columnOf[i]]++] = i;
+    for (const ColumnRun& run : columns.runs) runs[ends[run.column]++] = run;
     ends.pop_back();
     return order;
 }
@@ -65,7 +77,8 @@ ColumnOrder orderOf(const CloudColumns& columns) {
 void appendCloud(TurnScan& out, const PlacedCloud& cloud, uint32_t firstSlot,
                  const SensorConfig& config) {
     const CloudReturns returns(cloud.points, firstSlot, out.counts);
-    const auto points = returns.points();
+    const CloudPoints& points = returns.points();
+    const PointSlots slots = returns.slots();
     const CloudColumns columns = findCloudColumns(points, config.columnWidth);
     const ColumnOrder order = orderOf(columns);
     out.scan.points.reserve(out.scan.points.size() + points.size());
@@ -78,10 +91,16 @@ void appendCloud(TurnScan& out, const PlacedCloud& cloud, uint32_t firstSlot,
     for (size_t c = 0; c < order.ends.size(); ++c) {
         column.azimuth =
             static_cast<float>(azimuthInVehicle(columns.azimuths[c], cloud.sensorInVehicle));
+        const auto runs = std::span(order.runs).subspan(next, order.ends[c] - next);
+        next = order.ends[c];
+        if (runs.size() == 1 && appendColumnInOrder(out, column, cloud.sensorInVehicle, points,
+                                                    slots, runs[0].begin, runs[0].end)) {
+            continue;
+        }
         ofColumn.clear();
-        for (; next < order.ends[c]; ++next) {
-            const uint32_t i = order.returns[next];
-            ofColumn.push_back({points[i], returns.slot(i)});
+        for (const ColumnRun& run : runs) {
+            for (uint32_t i = run.begin; i < run.end; ++i)
+                ofColumn.push_back({points[i], slots[i]});
         }
         appendColumn(out, column, cloud.sensorInVehicle, ofColumn);
     }

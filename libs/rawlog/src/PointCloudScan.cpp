@@ -15,19 +15,13 @@ namespace {
 
 using Cloud = mrpt::obs::CObservationPointCloud;
 using mrpt::maps::CPointsMap;
-using mrpt::math::TPoint3Df;
 
 const Cloud& asCloud(const mrpt::obs::CObservation& obs) { return dynamic_cast<const Cloud&>(obs); }
 
-std::vector<TPoint3Df> pointsOf(const Cloud& obs) {
-    std::vector<TPoint3Df> points;
-    if (!obs.pointcloud) return points;
-    const auto& x = obs.pointcloud->getPointsBufferRef_x();
-    const auto& y = obs.pointcloud->getPointsBufferRef_y();
-    const auto& z = obs.pointcloud->getPointsBufferRef_z();
-    points.reserve(x.size());
-    for (size_t i = 0; i < x.size(); ++i) points.emplace_back(x[i], y[i], z[i]);
-    return points;
+CloudPoints pointsOf(const Cloud& obs) {
+    if (!obs.pointcloud) return {};
+    const CPointsMap& map = *obs.pointcloud;
+    return {map.getPointsBufferRef_x(), map.getPointsBufferRef_y(), map.getPointsBufferRef_z()};
 }
 
 /// A map of the same class, with its options and the chosen of its points, all their channels.
@@ -83,10 +77,10 @@ TurnScan PointCloudScan::organize(const Turn& turn, const PoseSource& poses,
     size_t firstSlot = 0;
     for (const auto& obs : turn) {
         const size_t slots = slotCount(*obs);
-        const std::vector<TPoint3Df> points = pointsOf(asCloud(*obs));
-        appendCloud(
-            out, {points, obs->timestamp, poses.at(obs->timestamp), sensorInVehicle(*obs, config)},
-            static_cast<uint32_t>(firstSlot), config);
+        appendCloud(out,
+                    {pointsOf(asCloud(*obs)), obs->timestamp, poses.at(obs->timestamp),
+                     sensorInVehicle(*obs, config)},
+                    static_cast<uint32_t>(firstSlot), config);
         firstSlot += slots;
     }
     return out;

@@ -73,17 +73,17 @@ void appendPoints(TurnScan& out, const Scan& obs, uint32_t firstSlot, const Pose
                   const SensorConfig& config) {
     const mrpt::poses::CPose3D mounting = sensorInVehicle(obs, config);
     std::vector<ColumnReturn> returns;
-    std::vector<TPoint3Df> levelled;  // in the vehicle's axes
+    CloudArrays levelled;  // in the vehicle's axes
     for (size_t i = 0; i < obs.points3D_x.size(); ++i) {
         const TPoint3Df point(obs.points3D_x[i], obs.points3D_y[i], obs.points3D_z[i]);
         if (!countReturn(out.counts, point)) continue;
         returns.push_back({point, firstSlot + static_cast<uint32_t>(i)});
-        levelled.emplace_back(mounting.rotateVector(mrpt::math::TVector3D(point)));
+        levelled.push_back(TPoint3Df(mounting.rotateVector(mrpt::math::TVector3D(point))));
     }
-    const CloudColumns columns = findCloudColumns(levelled, config.columnWidth);
+    const CloudColumns columns = findCloudColumns(levelled.points(), config.columnWidth);
     std::vector<std::vector<ColumnReturn>> byColumn(columns.azimuths.size());
-    for (size_t i = 0; i < returns.size(); ++i) {
-        byColumn[columns.columnOf[i]].push_back(returns[i]);
+    for (const ColumnRun& run : columns.runs) {
+        for (uint32_t i = run.begin; i < run.end; ++i) byColumn[run.column].push_back(returns[i]);
     }
     core::ScanColumn column = columnOf(obs, poses, mounting);
     for (size_t c = 0; c < byColumn.size(); ++c) {

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <mrpt/math/TPoint3D.h>
+#include <offmap/rawlog/CloudPoints.h>
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace offmap::rawlog {
 
+/// Points of a cloud that stand one behind the other and belong to one column.
+struct ColumnRun {
+    uint32_t column;      ///< index into CloudColumns::azimuths
+    uint32_t begin, end;  ///< of the cloud's points, half-open
+};
+
 /// The azimuths of a cloud's columns, and which column each point belongs to.
 struct CloudColumns {
-    std::vector<double> azimuths;    ///< [rad] sensor frame, (-pi, pi], increasing
-    std::vector<uint32_t> columnOf;  ///< per point: index into azimuths
+    std::vector<double> azimuths;  ///< [rad] sensor frame, (-pi, pi], increasing
+    std::vector<ColumnRun> runs;   ///< as the points stand; together they are all points
 };
 
 /// Columns of a cloud by azimuth; they do not depend on the order of the points.
@@ -25,6 +30,6 @@ struct CloudColumns {
 ///
 /// Points within 0.5 m of the vertical axis have an azimuth of rounding noise; they take no part in
 /// finding clusters and join the nearest. \param points finite
-CloudColumns findCloudColumns(std::span<const mrpt::math::TPoint3Df> points, double width);
+CloudColumns findCloudColumns(const CloudPoints& points, double width);
 
 }  // namespace offmap::rawlog

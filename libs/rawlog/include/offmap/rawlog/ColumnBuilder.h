@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/rawlog/CloudPoints.h>
 #include <offmap/rawlog/PoseSource.h>
 #include <offmap/rawlog/ScanClass.h>
 
@@ -37,6 +38,14 @@ inline bool countReturn(ReturnCounts& counts, const mrpt::math::TPoint3Df& point
     return true;
 }
 
+/// The slots of points that stand one behind the other: numbered on, or listed.
+struct PointSlots {
+    uint32_t first = 0;                ///< the slot of point 0, if they are numbered on
+    std::span<const uint32_t> listed;  ///< one a point; empty if they are numbered on
+
+    uint32_t operator[](uint32_t i) const { return listed.empty() ? first + i : listed[i]; }
+};
+
 /// Gives a column its mounting and, where the vehicle has a pose, the pose of its sensor.
 void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
                  const mrpt::poses::CPose3D& sensorInVehicle);
@@ -48,5 +57,11 @@ double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sens
 /// exact duplicates skipped and counted. The order is total, so that of `returns` does not matter.
 void appendColumn(TurnScan& out, core::ScanColumn column,
                   const mrpt::poses::CPose3D& sensorInVehicle, std::span<ColumnReturn> returns);
+
+/// The same for points `begin` to `end` of a cloud, where they already stand so, or from top to
+/// bottom. \return false, and nothing is done, if they do not
+bool appendColumnInOrder(TurnScan& out, core::ScanColumn column,
+                         const mrpt::poses::CPose3D& sensorInVehicle, const CloudPoints& points,
+                         const PointSlots& slots, uint32_t begin, uint32_t end);
 
 }  // namespace offmap::rawlog

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/rawlog/CloudPoints.h>
 #include <offmap/rawlog/PoseSource.h>
 #include <offmap/rawlog/ScanClass.h>
 
 #include <mrpt/core/Clock.h>
-#include <mrpt/math/TPoint3D.h>
 #include <mrpt/poses/CPose3D.h>
 
 #include <cstdint>
-#include <span>
 
 namespace offmap::rawlog {
 
 /// A cloud of points in memory, in any order, all taken from one place: compensated for movement.
 struct PlacedCloud {
-    std::span<const mrpt::math::TPoint3Df> points;  ///< [m] sensor frame
+    CloudPoints points;  ///< [m] sensor frame
     mrpt::Clock::time_point time{};
     PoseLookup vehicle;
     mrpt::poses::CPose3D sensorInVehicle;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <offmap/rawlog/CloudPoints.h>
+#include <offmap/rawlog/ColumnBuilder.h>
+
+#include <mrpt/poses/CPose3D.h>
+
+#include <span>
+
+namespace offmap::rawlog {
+
+/// The upward direction of the vehicle in a sensor's axes.
+struct Upwards {
+    explicit Upwards(const mrpt::poses::CPose3D& sensorInVehicle) {
+        const auto& rotation = sensorInVehicle.getRotationMatrix();
+        x = rotation(2, 0), y = rotation(2, 1), z = rotation(2, 2);
+    }
+    /// What is lower is then above.
+    Upwards reversed() const {
+        Upwards other(*this);
+        other.x = -x, other.y = -y, other.z = -z;
+        return other;
+    }
+    double x, y, z;
+};
+
+/// Whether each return of a column is clearly above the one before, so that rounding cannot make it
+/// look otherwise. Told quickly. \pre there is one; all are finite
+bool standUpward(const CloudPoints& returns, const Upwards& up);
+bool standUpward(std::span<const ColumnReturn> returns, const Upwards& up);
+
+/// Sorts the returns of a column by elevation, those at one elevation by range.
+void sortUpward(std::span<ColumnReturn> returns, const Upwards& up);
+
+}  // namespace offmap::rawlog
