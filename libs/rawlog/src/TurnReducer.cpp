@@ -167,7 +167,8 @@ void TurnReducer::takeOut(const Turn& turn, ReducedTurn& out) {
     for (const auto& obs : turn) {
         const SlotMask own = SlotMask(keep).subspan(first, scanClass_->slotCount(*obs));
         first += own.size();
-        const bool unchanged = output_ == OutputClass::Same && std::ranges::count(own, 0) == 0;
+        const bool allStay = std::ranges::find(own, 0) == own.end();
+        const bool unchanged = output_ == OutputClass::Same && allStay;
         out.reduced.push_back(unchanged ? nullptr
                                         : select(*obs, *scanClass_, own, Leftovers::Keep, config));
     }
