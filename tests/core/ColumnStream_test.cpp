@@ -48,7 +48,7 @@ class Turning {
 };
 
 auto fieldsOf(const VerticalSegment& s) {
-    return std::tuple(s.column, s.begin, s.end, s.bottom.x, s.bottom.y, s.top.x, s.top.y, s.tilt,
+    return std::tuple(s.column, s.begin, s.end, s.bottom.x, s.bottom.y, s.top.x, s.top.y, s.slope,
                       s.centre.x, s.centre.y);
 }
 

@@ -79,7 +79,7 @@ TEST(VerticalSegments, depthOverCosineOfElevationIsAWall) {
     ASSERT_EQ(segments.size(), 1u);
     EXPECT_EQ(segments[0].begin, 0u);
     EXPECT_EQ(segments[0].end, 61u);
-    EXPECT_NEAR(segments[0].tilt, 0, rounding);
+    EXPECT_NEAR(segments[0].tilt(), 0, rounding);
     EXPECT_NEAR(segments[0].bottom.x, distance, rounding);
     EXPECT_NEAR(segments[0].bottom.y, -distance * std::tan(std::numbers::pi / 6), rounding);
     EXPECT_NEAR(segments[0].top.y, +distance * std::tan(std::numbers::pi / 6), rounding);
@@ -93,7 +93,7 @@ TEST(VerticalSegments, tiltIsBoundedByEta) {
         const double tilt = degrees * std::numbers::pi / 180;
         const auto segments = segmentsOf(columnOf(tiltedWall(3, tilt)), config).segments;
         ASSERT_EQ(segments.size(), std::abs(degrees) < 5 ? 1u : 0u) << degrees << " degrees";
-        for (const auto& segment : segments) EXPECT_NEAR(segment.tilt, std::abs(tilt), rounding);
+        for (const auto& segment : segments) EXPECT_NEAR(segment.tilt(), std::abs(tilt), rounding);
     }
 }
 
@@ -141,7 +141,7 @@ TEST(VerticalSegments, tiltedSensorGivesWhatAnUprightOneDoes) {
     for (size_t s = 0; s < upright.segments.size(); ++s) {
         const VerticalSegment &a = upright.segments[s], &b = tilted.segments[s];
         EXPECT_EQ(std::tie(a.column, a.begin, a.end), std::tie(b.column, b.begin, b.end));
-        EXPECT_NEAR(a.tilt, b.tilt, 4 * rounding);
+        EXPECT_NEAR(a.tilt(), b.tilt(), 4 * rounding);
         EXPECT_NEAR((a.bottom - b.bottom).norm(), 0, 2 * rounding);
         EXPECT_NEAR((a.top - b.top).norm(), 0, 2 * rounding);
         EXPECT_NEAR((a.centre - b.centre).norm(), 0, 2 * rounding);

@@ -5,6 +5,17 @@
 
 namespace offmap::core {
 
+namespace {
+
+/// Whether two columns have one viewpoint, as all those of a cloud that is taken from one place.
+bool isOfOnePlace(const std::optional<SensorPose>& a, const std::optional<SensorPose>& b) {
+    return a && b && a->sensorInMap.x() == b->sensorInMap.x() &&
+           a->sensorInMap.y() == b->sensorInMap.y() && a->sensorInMap.z() == b->sensorInMap.z() &&
+           a->groundCovariance == b->groundCovariance;
+}
+
+}  // namespace
+
 ColumnFindings::ColumnFindings(const LineMap& map, const ReductionConfig& config)
     : map_(map),
       config_(config),
@@ -21,17 +32,17 @@ void ColumnFindings::begin() {
 }
 
 void ColumnFindings::add(const OrganizedScan& scan, ReductionResult& result) {
-    const size_t firstColumn = viewpoints_.size(), firstSegment = result.segments.size();
+    const size_t firstSegment = result.segments.size();
     levelled_.resize(scan.points.size());
-    for (auto c = static_cast<uint32_t>(firstColumn); c < scan.columns.size(); ++c) {
+    for (auto c = static_cast<uint32_t>(viewpoints_.size()); c < scan.columns.size(); ++c) {
         levelColumn(scan, c, levelled_);
         finder_.addColumn(scan, levelled_, c, result.segments);  // section 3
-        addViewpoint(scan.columns[c], result);                   // 3.2
-    }
-    for (size_t s = firstSegment; s < result.segments.size(); ++s) {
-        SegmentMatch& match = result.matches.emplace_back();  // Kept, NoPose
-        match.measured =
-            groundInterval(result.segments[s], levelled_, maxMountingSlope_);  // eqs. 3-5
+        addViewpoint(scan, result);                              // 3.2
+        while (result.matches.size() < result.segments.size()) {
+            const VerticalSegment& segment = result.segments[result.matches.size()];
+            SegmentMatch& match = result.matches.emplace_back();                     // Kept, NoPose
+            match.measured = groundInterval(segment, levelled_, maxMountingSlope_);  // eqs. 3-5
+        }
     }
     if (config_.matching.method == MatchingMethod::Paper) {
         matchByRays(result, firstSegment);
@@ -40,9 +51,15 @@ void ColumnFindings::add(const OrganizedScan& scan, ReductionResult& result) {
     }
 }
 
-void ColumnFindings::addViewpoint(const ScanColumn& column, ReductionResult& result) {
+void ColumnFindings::addViewpoint(const OrganizedScan& scan, ReductionResult& result) {
+    const size_t c = viewpoints_.size();
+    const ScanColumn& column = scan.columns[c];
     auto& usable = viewpoints_.emplace_back();
     if (column.begin == column.end) return;
+    if (c > 0 && viewpoints_[c - 1] && isOfOnePlace(scan.columns[c - 1].sensor, column.sensor)) {
+        usable = viewpoints_[c - 1];
+        return;
+    }
     std::optional<PoseFault> fault = column.fault;
     if (column.sensor) {
         const Viewpoint viewpoint = viewpointOf(*column.sensor);

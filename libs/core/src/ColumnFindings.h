@@ -35,7 +35,7 @@ class ColumnFindings {
     const std::vector<WallSight>& sights() const { return sights_; }
 
  private:
-    void addViewpoint(const ScanColumn& column, ReductionResult& result);
+    void addViewpoint(const OrganizedScan& scan, ReductionResult& result);
     void matchByRays(ReductionResult& result, size_t firstSegment) const;
     void addSights(const OrganizedScan& scan, const ReductionResult& result, size_t firstSegment);
 

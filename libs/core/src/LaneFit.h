@@ -12,16 +12,12 @@ namespace offmap::core {
 /// Sums over points as LineFit takes them, four points at a time.
 class LaneSums {
  public:
-    explicit LaneSums(const mrpt::math::TPoint2D& origin) : origin_(origin) {}
-
     /// \param last so many of the four count, the last ones
     [[gnu::always_inline]] void add(const float* xs, const float* ys,
                                     uint32_t last = doubleLaneCount) {
         DoubleLanes x, y;
         load(xs, x);
         load(ys, y);
-        x -= origin_.x;
-        y -= origin_.y;
         if (last < doubleLaneCount) {
             keepLast(last, x);
             keepLast(last, y);
@@ -32,25 +28,26 @@ class LaneSums {
         halfImag_ += x * y;
     }
     LineFit fit(uint32_t count) const {
-        return {count, origin_, {total(x_), total(y_), total(real_), total(halfImag_)}};
+        return {count, {0, 0}, {total(x_), total(y_), total(real_), total(halfImag_)}};
     }
 
  private:
-    mrpt::math::TPoint2D origin_;
     DoubleLanes x_{}, y_{}, real_{}, halfImag_{};
 };
 
-/// Through all of the points; the sums are taken from the origin.
-[[gnu::always_inline]] inline LineFit fitOf(const PlanePoints& points,
-                                            const mrpt::math::TPoint2D& origin) {
+/// Through all of the points, which stand near (0, 0): of floats within 1 km of it, no digit is
+/// lost.
+[[gnu::always_inline]] inline LineFit fitOf(const PlanePoints& points) {
     const auto count = static_cast<uint32_t>(points.size());
     const float *x = points.x.data(), *y = points.y.data();
     if (count < doubleLaneCount) {
         LineFit::Sums sums;
-        for (uint32_t i = 0; i < count; ++i) sums.add(x[i] - origin.x, y[i] - origin.y);
-        return {count, origin, sums};
+        for (uint32_t i = 0; i < count; ++i) {
+            sums.add(static_cast<double>(x[i]), static_cast<double>(y[i]));
+        }
+        return {count, {0, 0}, sums};
     }
-    LaneSums sums(origin);
+    LaneSums sums;
     const uint32_t last = count - doubleLaneCount;
     uint32_t i = 0;
     for (; i <= last; i += doubleLaneCount) sums.add(x + i, y + i);

@@ -26,6 +26,18 @@ Interval predictedInterval(const RayHit& hit, double sigma, const MatchingConfig
     return Interval::around(hit.range, config.sigmaFactor * sigma);
 }
 
+/// Whether a ray turned by so much [rad] may at all meet a wall that fits. Most of what is kept
+/// stands free: one look-up tells, no ray is needed.
+bool mayFitBeside(const Interval& measured, const Viewpoint& viewpoint, const TPoint2D& direction,
+                  double widest, const LineMap& map, const MatchingConfig& config) {
+    const double sigma = rootOfSquares(viewpoint.ellipse.semiMajor(), map.largestSigma());
+    const double range = measured.centre();
+    const double reach =
+        0.5 * measured.width() + config.sigmaFactor * sigma + std::abs(range) * widest;
+    constexpr double rounding = 1e-6;  // [m]
+    return map.hasWallWithin(viewpoint.position + direction * range, reach + rounding);
+}
+
 /// A wall that the ray may meet within the heading's uncertainty, and that fits: section 3.4,
 /// figure 6.
 std::optional<uint32_t> wallBesideRay(const Interval& measured, const Viewpoint& viewpoint,
@@ -34,6 +46,7 @@ std::optional<uint32_t> wallBesideRay(const Interval& measured, const Viewpoint&
                                       std::optional<uint32_t> wallOnRay) {
     const double widest = config.sigmaFactor * viewpoint.sigmaHeading;
     if (!(widest > 0)) return std::nullopt;
+    if (!mayFitBeside(measured, viewpoint, direction, widest, map, config)) return std::nullopt;
     for (const double share : {-1.0, -0.5, 0.5, 1.0}) {
         const TPoint2D beside = rotated(direction, share * widest);
         const auto hit = map.castRay(viewpoint.position, beside, config.maxRange, z);

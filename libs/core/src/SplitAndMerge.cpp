@@ -32,7 +32,7 @@ class Splitting {
         : points_(points), config_(config) {}
 
     void cutAtGaps(std::vector<Run>& runs) const;
-    Trial tried(const Run& run) const;
+    Trial tried(Run& run) const;
     std::pair<Run, Run> split(const Run& run, const std::optional<ScaledLine>& line) const;
     bool straysAlone(const Run& run, uint32_t point, const ScaledLine& line) const;
     void append(StraightRun last, std::vector<StraightRun>& straight) const;
@@ -47,7 +47,7 @@ class Splitting {
         return !offsets(run, line).anyBeyond(config_.maxPointToLine);
     }
     LineFit fitTo(uint32_t begin, uint32_t end) const {
-        return fitOf(points_.range(begin, end), points_[0]);
+        return fitOf(points_.range(begin, end));
     }
     std::pair<Run, Run> partsOf(const Run& run, uint32_t end, uint32_t begin) const;
     OffsetsFromLine offsets(const Run& run, const ScaledLine& line) const;
@@ -66,7 +66,7 @@ void Splitting::cutAtGaps(std::vector<Run>& runs) const {
     runs.clear();
     for (auto end = static_cast<uint32_t>(points_.size()); end > 0;) {
         const uint32_t begin = beginOfRunWithoutGap(points_, end, config_.maxGap);
-        if (end - begin >= leastPoints()) runs.push_back({begin, end, fitTo(begin, end)});
+        if (end - begin >= leastPoints()) runs.push_back({begin, end, {}});
         end = begin;
     }
 }
@@ -98,9 +98,10 @@ bool Splitting::mayBeStraight(uint32_t first, uint32_t between, uint32_t last) c
     return twiceArea * twiceArea <= highest * highest * longest;
 }
 
-Trial Splitting::tried(const Run& run) const {
+Trial Splitting::tried(Run& run) const {
     const bool few = run.end - run.begin <= 2;
     if (!few && !mayBeStraight(run)) return {std::nullopt, false};
+    if (run.fit.count() == 0) run.fit = fitTo(run.begin, run.end);
     const ScaledLine line = run.fit.scaledLine();
     return {line, few || serves(line, run)};
 }
@@ -136,10 +137,11 @@ std::pair<Run, Run> Splitting::split(const Run& run, const std::optional<ScaledL
     return before(run.begin + offsets(run, chordOf(run)).furthest().point);
 }
 
-/// What ends at `end`, and what begins at `begin`. Sums are taken of the smaller part; the larger
-/// one has the rest.
+/// What ends at `end`, and what begins at `begin`. Where the run has been fitted, sums are taken of
+/// the smaller part; the larger one has the rest.
 std::pair<Run, Run> Splitting::partsOf(const Run& run, uint32_t end, uint32_t begin) const {
     std::pair<Run, Run> parts({run.begin, end, run.fit}, {begin, run.end, run.fit});
+    if (run.fit.count() == 0) return parts;
     const bool firstIsSmaller = end - run.begin < run.end - begin;
     Run& smaller = firstIsSmaller ? parts.first : parts.second;
     Run& larger = firstIsSmaller ? parts.second : parts.first;
@@ -222,7 +224,7 @@ OFFMAP_BY_PROCESSOR [[gnu::flatten]] std::span<const LinePiece> splitAndMerge(
     pieces.clear();
     splitting.cutAtGaps(pending);
     while (!pending.empty()) {
-        const Run run = pending.back();
+        Run run = pending.back();
         pending.pop_back();
         const Trial trial = splitting.tried(run);
         if (trial.serves) {

@@ -97,10 +97,9 @@ void VerticalSegmentFinder::addColumn(const OrganizedScan& scan, const LevelledS
          splitAndMerge(levelled.profile(begin, end), splitting, scratch_)) {
         const double aside = std::abs(piece.line.direction.x);
         const double upwards = std::abs(piece.line.direction.y);
-        if (aside > upwards * maxSlope_) continue;  // most floors: no angle is needed
-        const double tilt = std::atan2(aside, upwards);
-        if (tilt > config_.maxTilt) continue;
-        VerticalSegment segment{column, begin + piece.begin, begin + piece.end, {}, {}, tilt, {}};
+        if (!(aside <= upwards * maxSlope_)) continue;
+        VerticalSegment segment{
+            column, begin + piece.begin, begin + piece.end, {}, {}, aside / upwards, {}};
         measure(piece, levelled, segment);
         segments.push_back(segment);
     }

@@ -76,7 +76,7 @@ std::string SegmentsFile::rowsOf(uint64_t scan, const ReducedTurn& turn,
                        scan, turn.record.entry, label, mrpt::Clock::toDouble(column.time),
                        segment.column, fixed(mrpt::RAD2DEG(double{column.azimuth})),
                        turn.returnsPerSegment[s], fixed(height + segment.bottom.y),
-                       fixed(height + segment.top.y), fixed(mrpt::RAD2DEG(segment.tilt)),
+                       fixed(height + segment.top.y), fixed(mrpt::RAD2DEG(segment.tilt())),
                        matchFields(result.matches[s]), turn.removedPerSegment[s], suspicion);
     }
     return rows;

@@ -8,6 +8,7 @@
 #include <mrpt/math/TPoint2D.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -53,9 +54,12 @@ struct VerticalSegment {
     mrpt::math::TPoint2D
         bottom;  ///< (ground range, z) [m] of the fitted line's lower end, sensor levelled
     mrpt::math::TPoint2D top;  ///< (ground range, z) [m] of its upper end
-    double tilt;               ///< [rad] gamma, against the z axis, [0, pi/2]
+    double slope;              ///< [-] ground range per height, without sign
     mrpt::math::TPoint2D
         centre;  ///< [m] mean of its points on the ground, from the sensor, map's axes
+
+    /// [rad] gamma, against the z axis, [0, pi/2]
+    double tilt() const { return std::atan(slope); }
 };
 
 /// A segment's match to the map, in full.
