@@ -42,9 +42,10 @@ class FootOfTheWall {
  private:
     /// Whether two returns are of one level and yet apart.
     bool mayBeOneSurface(uint32_t i, uint32_t next) const {
+        const double step = offsets_.groundRange(i) - offsets_.groundRange(next);
+        if (!(std::abs(step) > leastStep)) return false;
         const double rise = column_.height(offsets_.seen(i)) - column_.height(offsets_.seen(next));
-        return std::abs(rise) < levelTolerance &&
-               std::abs(offsets_.groundRange(i) - offsets_.groundRange(next)) > leastStep;
+        return std::abs(rise) < levelTolerance;
     }
 
     const ReturnOffsets& offsets_;

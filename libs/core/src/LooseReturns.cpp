@@ -64,12 +64,15 @@ void findNear(uint32_t column, LooseReturnsScratch& scratch) {
     if (end > columns) joinColumns(0, end - columns);
 }
 
+/// Standard deviations [m], [rad] of a pose correction.
+using PoseSigmas = Eigen::Array<double, 5, 1>;
+
 /// The returns of one column at the walls near it.
 class ColumnAtWalls {
  public:
-    ColumnAtWalls(const ReturnOffsets& offsets, uint32_t column, LooseReturnsScratch& scratch)
+    ColumnAtWalls(const ReturnOffsets& offsets, uint32_t column, const PoseSigmas& sigma,
+                  LooseReturnsScratch& scratch)
         : offsets_(offsets), column_(offsets.corrected(column)), scratch_(scratch) {
-        const auto sigma = offsets.correction().covariance.diagonal().array().sqrt().eval();
         const auto& mean = offsets.correction().mean;
         const double lever = (offsets.place(column).position - offsets.correction().pivot).norm();
         openAtSensor_ = sigma[0] + sigma[1] + sigma[2] * lever;
@@ -81,8 +84,8 @@ class ColumnAtWalls {
             highest_ = std::max(highest_, removed.high - edge);
             const Wall& wall = offsets.wall(removed.wall);
             const TPoint2D along = wall.line.point2 - wall.line.point1;
-            scratch.behind.push_back(column_.distanceBehind(
-                wall.line.point1, TPoint2D(-along.y, along.x) * (1 / along.norm())));
+            scratch.behind.push_back(
+                column_.distanceBehind(wall.line.point1, TPoint2D(-along.y, along.x)));
         }
     }
 
@@ -101,14 +104,16 @@ class ColumnAtWalls {
 
  private:
     /// Whether a return is further from a straight wall than any gate lets it be: sigmas that are
-    /// added up are more than their root of squares.
+    /// added up are more than their root of squares. Told times the wall's length.
     bool isFarFrom(size_t near, uint32_t point) const {
         const Wall& wall = offsets_.wall(scratch_.near[near].wall);
         const double open = openAtSensor_ + openPerRange_ * offsets_.groundRange(point) +
                             openPerHeight_ * std::abs(offsets_.z(point));
-        const double sigma = wall.sigma + offsets_.sigmaRange(point) + open;
-        return wall.curvature == 0 && std::abs(scratch_.behind[near].of(offsets_.seen(point))) >
-                                          offsets_.config().gate * sigma;
+        const double limit =
+            offsets_.config().gate * (wall.sigma + offsets_.sigmaRange(point) + open);
+        const double behind = scratch_.behind[near].of(offsets_.seen(point));
+        const double squaredLength = (wall.line.point2 - wall.line.point1).sqrNorm();
+        return wall.curvature == 0 && behind * behind > limit * limit * squaredLength;
     }
 
     const ReturnOffsets& offsets_;
@@ -148,13 +153,14 @@ void labelLooseReturns(const ReturnOffsets& offsets, std::span<const VerticalSeg
                        std::span<PointLabel> labels) {
     const auto& columns = offsets.scan().columns;
     findRemoved(columns.size(), segments, matches, scratch);
+    const PoseSigmas sigma = offsets.correction().covariance.diagonal().array().sqrt();
     for (uint32_t c = 0; c < columns.size(); ++c) {
         const auto own = segmentsOf(c, segments);
         segments = segments.subspan(own.size());
         if (!columns[c].sensor || columns[c].begin == columns[c].end) continue;
         findNear(c, scratch);
         if (scratch.near.empty()) continue;
-        const ColumnAtWalls walls(offsets, c, scratch);
+        const ColumnAtWalls walls(offsets, c, sigma, scratch);
         forEachBeside(own, columns[c], [&](uint32_t i) {
             const bool isLoose = labels[i] == PointLabel::NotOnVerticalSegment;
             if (isLoose && walls.isOnAny(i)) labels[i] = PointLabel::Mapped;

@@ -46,9 +46,7 @@ class Splitting {
     bool serves(const ScaledLine& line, const Run& run) const {
         return !offsets(run, line).anyBeyond(config_.maxPointToLine);
     }
-    LineFit fitTo(uint32_t begin, uint32_t end) const {
-        return fitOf(points_.range(begin, end));
-    }
+    LineFit fitTo(uint32_t begin, uint32_t end) const { return fitOf(points_.range(begin, end)); }
     std::pair<Run, Run> partsOf(const Run& run, uint32_t end, uint32_t begin) const;
     OffsetsFromLine offsets(const Run& run, const ScaledLine& line) const;
     ScaledLine chordOf(const Run& run) const;
