@@ -83,6 +83,7 @@ void appendCloud(TurnScan& out, const PlacedCloud& cloud, uint32_t firstSlot,
     const ColumnOrder order = orderOf(columns);
     out.scan.points.reserve(out.scan.points.size() + points.size());
     out.scan.sourceIndex.reserve(out.scan.sourceIndex.size() + points.size());
+    out.scan.columns.reserve(out.scan.columns.size() + columns.azimuths.size());
     core::ScanColumn column;
     column.time = cloud.time;
     placeColumn(column, cloud.vehicle, cloud.sensorInVehicle);
