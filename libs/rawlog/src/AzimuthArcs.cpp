@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numbers>
 
 namespace offmap::rawlog {
 
@@ -97,20 +98,41 @@ std::vector<AzimuthArc> arcsInOrder(const CloudPoints& points) {
     return arcs;
 }
 
-std::vector<AzimuthArc> arcsOfPoints(const CloudPoints& points) {
-    std::vector<double> azimuths;
-    azimuths.reserve(points.size());
-    for (size_t i = 0; i < points.size(); ++i) {
-        const float x = points.x[i], y = points.y[i];
-        if (hasAzimuth(x, y)) azimuths.push_back(azimuthOf(x, y));
+BinnedArcs arcsInBins(const CloudPoints& points) {
+    constexpr uint32_t bins = 1 << 16;
+    constexpr double width = 2 * std::numbers::pi / bins;  // [rad] 0.0055 degrees
+    struct Bin {
+        double least = 0, greatest = 0, sum = 0;  // [rad] from where it begins
+        uint32_t points = 0, arc = 0;
+    };
+    std::vector<Bin> filled(bins);
+    BinnedArcs out{{}, std::vector<uint32_t>(points.size(), BinnedArcs::none)};
+    for (uint32_t i = 0; i < points.size(); ++i) {
+        if (!hasAzimuth(points.x[i], points.y[i])) continue;
+        const double fromStart = azimuthOf(points.x[i], points.y[i]) + std::numbers::pi;
+        const uint32_t b = std::min(bins - 1, static_cast<uint32_t>(fromStart / width));
+        const double angle = fromStart - b * width;
+        Bin& bin = filled[b];
+        bin.least = bin.points == 0 ? angle : std::min(bin.least, angle);
+        bin.greatest = bin.points == 0 ? angle : std::max(bin.greatest, angle);
+        bin.sum += angle;
+        ++bin.points;
+        out.arcOf[i] = b;
     }
-    std::sort(azimuths.begin(), azimuths.end());
-    std::vector<AzimuthArc> arcs(azimuths.size());
-    for (size_t i = 0; i < arcs.size(); ++i) {
-        arcs[i].begin = azimuths[i];
-        arcs[i].points = 1;
+    for (uint32_t b = 0; b < bins; ++b) {
+        Bin& bin = filled[b];
+        if (bin.points == 0) continue;
+        bin.arc = static_cast<uint32_t>(out.arcs.size());
+        AzimuthArc& arc = out.arcs.emplace_back();
+        arc.begin = b * width - std::numbers::pi + bin.least;
+        arc.length = bin.greatest - bin.least;
+        arc.sum = bin.sum - bin.least * bin.points;
+        arc.points = bin.points;
     }
-    return arcs;
+    for (uint32_t& arc : out.arcOf) {
+        if (arc != BinnedArcs::none) arc = filled[arc].arc;
+    }
+    return out;
 }
 
 }  // namespace offmap::rawlog

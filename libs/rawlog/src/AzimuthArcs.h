@@ -47,7 +47,14 @@ struct AzimuthArc {
 /// apart without their azimuths. In the order of the points; empty if they are in no such order.
 std::vector<AzimuthArc> arcsInOrder(const CloudPoints& points);
 
-/// An arc for each point, sorted.
-std::vector<AzimuthArc> arcsOfPoints(const CloudPoints& points);
+/// Arcs of points in whatever order.
+struct BinnedArcs {
+    static constexpr uint32_t none = UINT32_MAX;
+    std::vector<AzimuthArc> arcs;  ///< sorted; they say nothing of where points stand
+    std::vector<uint32_t> arcOf;   ///< per point: index into arcs; none near the vertical axis
+};
+
+/// The arcs of bins that are far narrower than the columns of any scanner are apart.
+BinnedArcs arcsInBins(const CloudPoints& points);
 
 }  // namespace offmap::rawlog

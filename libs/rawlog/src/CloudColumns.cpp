@@ -106,6 +106,29 @@ CloudColumns nearestColumns(const CloudPoints& points, std::vector<double> azimu
     return columns;
 }
 
+/// The same for points in whatever order.
+CloudColumns nearestColumns(const CloudPoints& points, std::vector<double> azimuths,
+                            const BinnedArcs& binned) {
+    CloudColumns columns{std::move(azimuths), {}};
+    NearestColumn nearest(columns.azimuths);
+    std::vector<uint32_t> columnOf;  // per arc: that of all of its points, or none
+    columnOf.reserve(binned.arcs.size());
+    for (const AzimuthArc& arc : binned.arcs) {
+        const uint32_t column = nearest.of(arc.begin);
+        const bool whole = column == nearest.of(wrapped(arc.begin + arc.length));
+        columnOf.push_back(whole ? column : BinnedArcs::none);
+    }
+    for (uint32_t i = 0; i < points.size(); ++i) {
+        const uint32_t arc = binned.arcOf[i];
+        uint32_t column = arc == BinnedArcs::none ? arc : columnOf[arc];
+        if (column == BinnedArcs::none) {
+            column = nearest.of(azimuthOf(points.x[i], points.y[i]));
+        }
+        addRun(columns.runs, column, i, i + 1);
+    }
+    return columns;
+}
+
 bool beginsBefore(const AzimuthArc& a, const AzimuthArc& b) { return a.begin < b.begin; }
 
 /// Those of a scanner stand so but for where its turn begins and which way round it goes.
@@ -123,14 +146,10 @@ CloudColumns findCloudColumns(const CloudPoints& points, double width) {
     const std::vector<AzimuthArc> arcs = arcsInOrder(points);
     std::vector<double> clusters = findClusters(sorted(arcs));
     if (!clusters.empty()) return nearestColumns(points, std::move(clusters), arcs);
-    clusters = findClusters(arcsOfPoints(points));
+    const BinnedArcs binned = arcsInBins(points);
+    clusters = findClusters(binned.arcs);
     if (clusters.empty()) return fixedBins(points, chosenWidth(points.size()));
-    CloudColumns columns{std::move(clusters), {}};
-    NearestColumn nearest(columns.azimuths);
-    for (uint32_t i = 0; i < points.size(); ++i) {
-        addRun(columns.runs, nearest.of(azimuthOf(points.x[i], points.y[i])), i, i + 1);
-    }
-    return columns;
+    return nearestColumns(points, std::move(clusters), binned);
 }
 
 }  // namespace offmap::rawlog
