@@ -80,10 +80,14 @@ TEST(ColumnBuilder, columnsThatStandInOrderNeedNoSorting) {
     for (const CPose3D& mounting : {CPose3D(), CPose3D(0, 0, 1, 0.5, 0.1, -0.2)}) {
         for (size_t count = 1; count < 40; ++count) {
             SCOPED_TRACE(count);
-            auto points = upwardReturns(count, mounting);
-            BothWays(points, mounting).expectTheSame();
-            std::reverse(points.begin(), points.end());
-            BothWays(points, mounting).expectTheSame();
+            const auto points = upwardReturns(count, mounting);
+            const BothWays upward(points, mounting);
+            upward.expectTheSame();
+            EXPECT_EQ(upward.sorted.scan.points, points);
+            const BothWays downward({points.rbegin(), points.rend()}, mounting);
+            downward.expectTheSame();
+            EXPECT_EQ(downward.sorted.scan.points, points);
+            EXPECT_EQ(downward.sorted.scan.sourceIndex.front(), 99 + count);
         }
     }
 }

@@ -17,8 +17,8 @@ namespace {
 /// [rad] To either side of an arc's first point. Less than between the columns of any scanner, more
 /// than what float coordinates leave uncertain.
 constexpr double halfLength = mrpt::DEG2RAD(0.02);
-/// Fewer on average are no columns.
-constexpr size_t pointsPerArc = 4;
+/// Fewer on average are no columns; which shows after some arcs.
+constexpr size_t pointsPerArc = 4, someArcs = 64;
 /// Angles [rad] from an arc's first point to others, of one at a time or of as many as there are
 /// lanes. Their tangents stand for them: 1.4e-11 rad more at most.
 template <class Numbers>
@@ -86,11 +86,10 @@ OFFMAP_BY_PROCESSOR AzimuthArc arcFrom(const CloudPoints& points, uint32_t first
 
 std::vector<AzimuthArc> arcsInOrder(const CloudPoints& points) {
     std::vector<AzimuthArc> arcs;
-    const size_t most = points.size() / pointsPerArc;
     uint32_t next = 0;
     while (next < points.size() && !hasAzimuth(points.x[next], points.y[next])) ++next;
     while (next < points.size()) {
-        if (arcs.size() == most) return {};
+        if (arcs.size() > someArcs + next / pointsPerArc) return {};
         arcs.push_back(arcFrom(points, next));
         next = arcs.back().end;
     }

@@ -133,9 +133,12 @@ bool beginsBefore(const AzimuthArc& a, const AzimuthArc& b) { return a.begin < b
 
 /// Those of a scanner stand so but for where its turn begins and which way round it goes.
 std::vector<AzimuthArc> sorted(std::vector<AzimuthArc> arcs) {
-    if (arcs.size() > 1 && beginsBefore(arcs[1], arcs[0])) std::ranges::reverse(arcs);
-    std::ranges::rotate(arcs, std::ranges::min_element(arcs, beginsBefore));
-    if (!std::ranges::is_sorted(arcs, beginsBefore)) std::ranges::sort(arcs, beginsBefore);
+    if (arcs.size() > 1 && beginsBefore(arcs[1], arcs[0])) std::reverse(arcs.begin(), arcs.end());
+    const auto first = std::min_element(arcs.begin(), arcs.end(), beginsBefore);
+    std::rotate(arcs.begin(), first, arcs.end());
+    if (!std::is_sorted(arcs.begin(), arcs.end(), beginsBefore)) {
+        std::sort(arcs.begin(), arcs.end(), beginsBefore);
+    }
     return arcs;
 }
 

@@ -10,6 +10,18 @@
 
 namespace offmap::rawlog {
 
+namespace {
+
+/// Whether returns stand in order, once those that stand from top to bottom are turned round.
+bool turnUpward(std::span<ColumnReturn> returns, const Upwards& up) {
+    if (standUpward(returns, up)) return true;
+    if (!standUpward(returns, up.reversed())) return false;
+    std::reverse(returns.begin(), returns.end());
+    return true;
+}
+
+}  // namespace
+
 void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
                  const mrpt::poses::CPose3D& sensorInVehicle) {
     column.sensorInVehicle = sensorInVehicle.asTPose();
@@ -32,7 +44,7 @@ double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sens
 void appendColumn(TurnScan& out, core::ScanColumn column,
                   const mrpt::poses::CPose3D& sensorInVehicle, std::span<ColumnReturn> returns) {
     const Upwards up(sensorInVehicle);
-    const bool inOrder = standUpward(returns, up);
+    const bool inOrder = turnUpward(returns, up);
     if (!inOrder) sortUpward(returns, up);
 
     column.begin = static_cast<uint32_t>(out.scan.points.size());

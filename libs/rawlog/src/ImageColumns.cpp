@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace offmap::rawlog {
 
@@ -95,12 +94,14 @@ std::vector<ImageColumn> gathered(const RangeImage& image, const ImageLines& lin
     }
     CloudArrays rays;
     rays.reserve(image.pixels());
-    for (size_t pixel = 0; pixel < image.pixels(); ++pixel) rays.push_back(azimuths.ray(pixel));
+    for (size_t pixel = 0; pixel < image.pixels(); ++pixel) rays.add(azimuths.ray(pixel));
     const CloudColumns bins = findCloudColumns(rays.points(), width);
     std::vector<ImageColumn> columns(bins.azimuths.size());
     for (size_t c = 0; c < columns.size(); ++c) columns[c].azimuth = bins.azimuths[c];
-    for (const ColumnRun& run : bins.runs | std::views::reverse) {
-        auto& pixels = columns[run.column].pixels;  // bottom row first: nearly sorted, quickly so
+    // Bottom row first: nearly sorted, quickly so.
+    for (size_t r = bins.runs.size(); r-- > 0;) {
+        const ColumnRun& run = bins.runs[r];
+        auto& pixels = columns[run.column].pixels;
         for (uint32_t pixel = run.end; pixel-- > run.begin;) pixels.push_back(pixel);
     }
     return columns;

@@ -36,7 +36,7 @@ class CloudReturns {
         }
         for (uint32_t i = 0; i < points.size(); ++i) {
             if (!countReturn(counts, points[i])) continue;
-            some_.push_back(points[i]);
+            some_.add(points[i]);
             slots_.push_back(firstSlot + i);
         }
         points_ = some_.points();

@@ -78,7 +78,7 @@ void appendPoints(TurnScan& out, const Scan& obs, uint32_t firstSlot, const Pose
         const TPoint3Df point(obs.points3D_x[i], obs.points3D_y[i], obs.points3D_z[i]);
         if (!countReturn(out.counts, point)) continue;
         returns.push_back({point, firstSlot + static_cast<uint32_t>(i)});
-        levelled.push_back(TPoint3Df(mounting.rotateVector(mrpt::math::TVector3D(point))));
+        levelled.add(TPoint3Df(mounting.rotateVector(mrpt::math::TVector3D(point))));
     }
     const CloudColumns columns = findCloudColumns(levelled.points(), config.columnWidth);
     std::vector<std::vector<ColumnReturn>> byColumn(columns.azimuths.size());

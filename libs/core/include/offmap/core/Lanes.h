@@ -23,12 +23,15 @@ using LaneNumbers [[gnu::vector_size(laneCount * sizeof(int32_t))]] = int32_t;
 /// Whether a comparison holds in any lane.
 template <class Comparison>
 [[gnu::always_inline]] inline bool any(const Comparison& comparison) {
-    if constexpr (std::is_integral_v<Comparison>) return comparison != 0;
-    uint64_t words[sizeof comparison / sizeof(uint64_t)];
-    std::memcpy(words, &comparison, sizeof words);
-    uint64_t all = 0;
-    for (const uint64_t word : words) all |= word;
-    return all != 0;
+    if constexpr (std::is_integral_v<Comparison>) {
+        return comparison != 0;
+    } else {
+        uint64_t words[sizeof comparison / sizeof(uint64_t)];
+        std::memcpy(words, &comparison, sizeof words);
+        uint64_t all = 0;
+        for (const uint64_t word : words) all |= word;
+        return all != 0;
+    }
 }
 
 /// The greatest of all lanes ends up in each.

@@ -27,12 +27,12 @@ class CloudArrays {
     CloudArrays() = default;
     explicit CloudArrays(std::span<const mrpt::math::TPoint3Df> points) {
         reserve(points.size());
-        for (const auto& point : points) push_back(point);
+        for (const auto& point : points) add(point);
     }
     void reserve(size_t points) {
         for (auto* array : {&x_, &y_, &z_}) array->reserve(points);
     }
-    void push_back(const mrpt::math::TPoint3Df& point) {
+    void add(const mrpt::math::TPoint3Df& point) {
         x_.push_back(point.x);
         y_.push_back(point.y);
         z_.push_back(point.z);
