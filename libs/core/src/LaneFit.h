@@ -35,8 +35,8 @@ class LaneSums {
     DoubleLanes x_{}, y_{}, real_{}, halfImag_{};
 };
 
-/// Through all of the points, which stand near (0, 0): of floats within 1 km of it, no digit is
-/// lost.
+/// Through all of the points, which stand near (0, 0): within 1 km of it, sums lose less than
+/// floats do.
 [[gnu::always_inline]] inline LineFit fitOf(const PlanePoints& points) {
     const auto count = static_cast<uint32_t>(points.size());
     const float *x = points.x.data(), *y = points.y.data();

@@ -19,6 +19,7 @@ namespace {
 constexpr double halfLength = mrpt::DEG2RAD(0.02);
 /// Fewer on average are no columns; which shows after some arcs.
 constexpr size_t pointsPerArc = 4, someArcs = 64;
+
 /// Angles [rad] from an arc's first point to others, of one at a time or of as many as there are
 /// lanes. Their tangents stand for them: 1.4e-11 rad more at most.
 template <class Numbers>

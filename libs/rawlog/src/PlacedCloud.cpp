@@ -72,38 +72,44 @@ ColumnOrder orderOf(const CloudColumns& columns) {
     return order;
 }
 
+/// The column that some runs are; gathered only if they are several or not in order.
+void appendRuns(TurnScan& out, const core::ScanColumn& column,
+                const mrpt::poses::CPose3D& sensorInVehicle, const CloudReturns& returns,
+                std::span<const ColumnRun> runs, std::vector<ColumnReturn>& scratch) {
+    const CloudPoints& points = returns.points();
+    const PointSlots slots = returns.slots();
+    if (runs.size() == 1 && appendColumnInOrder(out, column, sensorInVehicle, points, slots,
+                                                runs[0].begin, runs[0].end)) {
+        return;
+    }
+    scratch.clear();
+    for (const ColumnRun& run : runs) {
+        for (uint32_t i = run.begin; i < run.end; ++i) scratch.push_back({points[i], slots[i]});
+    }
+    appendColumn(out, column, sensorInVehicle, scratch);
+}
+
 }  // namespace
 
 void appendCloud(TurnScan& out, const PlacedCloud& cloud, uint32_t firstSlot,
                  const SensorConfig& config) {
     const CloudReturns returns(cloud.points, firstSlot, out.counts);
-    const CloudPoints& points = returns.points();
-    const PointSlots slots = returns.slots();
-    const CloudColumns columns = findCloudColumns(points, config.columnWidth);
+    const CloudColumns columns = findCloudColumns(returns.points(), config.columnWidth);
     const ColumnOrder order = orderOf(columns);
-    out.scan.points.reserve(out.scan.points.size() + points.size());
-    out.scan.sourceIndex.reserve(out.scan.sourceIndex.size() + points.size());
+    out.scan.points.reserve(out.scan.points.size() + returns.points().size());
+    out.scan.sourceIndex.reserve(out.scan.sourceIndex.size() + returns.points().size());
     out.scan.columns.reserve(out.scan.columns.size() + columns.azimuths.size());
     core::ScanColumn column;
     column.time = cloud.time;
     placeColumn(column, cloud.vehicle, cloud.sensorInVehicle);
-    std::vector<ColumnReturn> ofColumn;
+    std::vector<ColumnReturn> scratch;
     uint32_t next = 0;
     for (size_t c = 0; c < order.ends.size(); ++c) {
         column.azimuth =
             static_cast<float>(azimuthInVehicle(columns.azimuths[c], cloud.sensorInVehicle));
         const auto runs = std::span(order.runs).subspan(next, order.ends[c] - next);
         next = order.ends[c];
-        if (runs.size() == 1 && appendColumnInOrder(out, column, cloud.sensorInVehicle, points,
-                                                    slots, runs[0].begin, runs[0].end)) {
-            continue;
-        }
-        ofColumn.clear();
-        for (const ColumnRun& run : runs) {
-            for (uint32_t i = run.begin; i < run.end; ++i)
-                ofColumn.push_back({points[i], slots[i]});
-        }
-        appendColumn(out, column, cloud.sensorInVehicle, ofColumn);
+        appendRuns(out, column, cloud.sensorInVehicle, returns, runs, scratch);
     }
 }
 
