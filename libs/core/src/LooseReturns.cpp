@@ -64,13 +64,11 @@ void findNear(uint32_t column, LooseReturnsScratch& scratch) {
     if (end > columns) joinColumns(0, end - columns);
 }
 
-/// Standard deviations [m], [rad] of a pose correction.
-using PoseSigmas = Eigen::Array<double, 5, 1>;
-
 /// The returns of one column at the walls near it.
 class ColumnAtWalls {
  public:
-    ColumnAtWalls(const ReturnOffsets& offsets, uint32_t column, const PoseSigmas& sigma,
+    /// \param sigma [m], [rad] standard deviations of the pose correction
+    ColumnAtWalls(const ReturnOffsets& offsets, uint32_t column, const Vector5& sigma,
                   LooseReturnsScratch& scratch)
         : offsets_(offsets), column_(offsets.corrected(column)), scratch_(scratch) {
         const auto& mean = offsets.correction().mean;
@@ -153,7 +151,7 @@ void labelLooseReturns(const ReturnOffsets& offsets, std::span<const VerticalSeg
                        std::span<PointLabel> labels) {
     const auto& columns = offsets.scan().columns;
     findRemoved(columns.size(), segments, matches, scratch);
-    const PoseSigmas sigma = offsets.correction().covariance.diagonal().array().sqrt();
+    const Vector5 sigma = offsets.correction().covariance.diagonal().cwiseSqrt();
     for (uint32_t c = 0; c < columns.size(); ++c) {
         const auto own = segmentsOf(c, segments);
         segments = segments.subspan(own.size());

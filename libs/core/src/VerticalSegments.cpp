@@ -55,8 +55,6 @@ OFFMAP_BY_PROCESSOR TPoint2D centreOf(const float* x, const float* y, uint32_t c
     return extentOf(count, [&](uint32_t i, auto& numbers) { load(values + i, numbers); });
 }
 
-constexpr double rounding = 1e-9;
-
 /// The ends of a piece, and where it stands.
 void measure(const LinePiece& piece, const LevelledScan& levelled, VerticalSegment& segment) {
     const uint32_t begin = segment.begin, count = segment.end - begin;
@@ -73,7 +71,7 @@ void measure(const LinePiece& piece, const LevelledScan& levelled, VerticalSegme
 }  // namespace
 
 VerticalSegmentFinder::VerticalSegmentFinder(const VerticalConfig& config)
-    : config_(config), maxSlope_(std::tan(config.maxTilt) * (1 + rounding)) {}
+    : config_(config), maxSlope_(std::tan(config.maxTilt)) {}
 
 /// What noise beyond the tolerance asks for; nothing where the scan tells of none.
 void VerticalSegmentFinder::findSlack(std::span<const float> rangeSigma) {

@@ -20,7 +20,7 @@ namespace {
 constexpr double fullTurn = 2.0 * std::numbers::pi;
 constexpr double pointsPerColumn = 32;
 
-/// The points from `begin` on, which no run has yet, up to `end`.
+/// Adds points from `begin` on, where the last run ends, up to `end`.
 void addRun(std::vector<ColumnRun>& runs, uint32_t column, uint32_t begin, uint32_t end) {
     const bool goesOn = !runs.empty() && runs.back().column == column;
     if (goesOn) {
@@ -77,16 +77,22 @@ class NearColumn {
 void addNearest(CloudColumns& columns, NearestColumn& nearest, const CloudPoints& points,
                 const AzimuthArc& arc) {
     std::optional<NearColumn> last;
+    uint32_t column = 0;
     for (uint32_t i = arc.first; i < arc.end; ++i) {
         const float x = points.x[i], y = points.y[i];
         if (!last || !last->has(x, y)) {
-            const uint32_t column = nearest.of(azimuthOf(x, y));
+            column = nearest.of(azimuthOf(x, y));
             last.emplace(columns.azimuths[column], nearest.reach(column));
-            addRun(columns.runs, column, i, i + 1);
-        } else {
-            columns.runs.back().end = i + 1;
         }
+        addRun(columns.runs, column, i, i + 1);
     }
+}
+
+/// The column that is nearest to all that looks as an arc does, if one is.
+std::optional<uint32_t> columnOf(const AzimuthArc& arc, NearestColumn& nearest) {
+    const uint32_t column = nearest.of(arc.begin);
+    const bool whole = column == nearest.of(wrapped(arc.begin + arc.length));
+    return whole ? std::optional(column) : std::nullopt;
 }
 
 /// The column nearest to each point. Where all of an arc has the same, nothing is calculated.
@@ -95,10 +101,9 @@ CloudColumns nearestColumns(const CloudPoints& points, std::vector<double> azimu
     CloudColumns columns{std::move(azimuths), {}};
     NearestColumn nearest(columns.azimuths);
     for (const AzimuthArc& arc : arcs) {
-        const uint32_t column = nearest.of(arc.begin);
-        const bool whole = column == nearest.of(wrapped(arc.begin + arc.length));
-        if (whole && arc.points == arc.end - arc.first) {
-            addRun(columns.runs, column, arc.first, arc.end);
+        const auto column = columnOf(arc, nearest);
+        if (column && arc.points == arc.end - arc.first) {
+            addRun(columns.runs, *column, arc.first, arc.end);
         } else {
             addNearest(columns, nearest, points, arc);
         }
@@ -111,19 +116,13 @@ CloudColumns nearestColumns(const CloudPoints& points, std::vector<double> azimu
                             const BinnedArcs& binned) {
     CloudColumns columns{std::move(azimuths), {}};
     NearestColumn nearest(columns.azimuths);
-    std::vector<uint32_t> columnOf;  // per arc: that of all of its points, or none
-    columnOf.reserve(binned.arcs.size());
-    for (const AzimuthArc& arc : binned.arcs) {
-        const uint32_t column = nearest.of(arc.begin);
-        const bool whole = column == nearest.of(wrapped(arc.begin + arc.length));
-        columnOf.push_back(whole ? column : BinnedArcs::none);
-    }
+    std::vector<std::optional<uint32_t>> ofArc;
+    ofArc.reserve(binned.arcs.size());
+    for (const AzimuthArc& arc : binned.arcs) ofArc.push_back(columnOf(arc, nearest));
     for (uint32_t i = 0; i < points.size(); ++i) {
         const uint32_t arc = binned.arcOf[i];
-        uint32_t column = arc == BinnedArcs::none ? arc : columnOf[arc];
-        if (column == BinnedArcs::none) {
-            column = nearest.of(azimuthOf(points.x[i], points.y[i]));
-        }
+        const auto known = arc == BinnedArcs::none ? std::nullopt : ofArc[arc];
+        const uint32_t column = known ? *known : nearest.of(azimuthOf(points.x[i], points.y[i]));
         addRun(columns.runs, column, i, i + 1);
     }
     return columns;

@@ -45,7 +45,7 @@ template <class Numbers>
     v = eighths > v ? eighths : v;
 }
 
-/// The same for what is summed up: numbers of twice the length, half as many.
+/// Numbers that are summed up together: of twice the length, half as many as there are lanes.
 inline constexpr uint32_t doubleLaneCount = 4;
 using DoubleLanes [[gnu::vector_size(doubleLaneCount * sizeof(double))]] = double;
 

@@ -28,7 +28,7 @@ struct LinePiece {
 
 /// Working memory, and the owner of the result.
 struct SplitAndMergeScratch {
-    /// Points that follow each other without a gap, and their fit.
+    /// Points that follow each other without a gap, and their fit: of none until it is needed.
     struct Run {
         uint32_t begin, end;
         LineFit fit;

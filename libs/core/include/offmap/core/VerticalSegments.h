@@ -29,7 +29,7 @@ class VerticalSegmentFinder {
     void findSlack(std::span<const float> rangeSigma);
 
     VerticalConfig config_;
-    double maxSlope_;           // [-] of the tilt, and a little
+    double maxSlope_;           // [-] tangent of the largest tilt
     std::vector<float> slack_;  // [m] of the column's points
     SplitAndMergeScratch scratch_;
 };
