@@ -30,6 +30,12 @@ double robustWeight(double distance, double variance) {
     return 1 / (x * x);
 }
 
+/// Whether shift and turn are too small to be worth another step.
+bool isSmall(const Vector5& change) {
+    constexpr double shift = 0.003, turn = 0.001;  // [m], [rad]
+    return change.head<2>().norm() < shift && std::abs(change[2]) < turn;
+}
+
 }  // namespace
 
 Aligner::Aligner(std::span<const WallSight> sights, const LineMap& map, const PoseCorrection& prior,
@@ -153,8 +159,7 @@ Vector5 Aligner::step(Alignment& out, double priorShare, size_t mostSights) {
 
 /// Walls are looked for within what the prior leaves open first, and ever closer by, until that is
 /// no more than what a sight may be off by itself.
-Alignment Aligner::run(double turn) {
-    constexpr double settledShift = 0.003, settledTurn = 0.001;  // [m], [rad]
+std::optional<Alignment> Aligner::run(double turn, const Alignment& known) {
     constexpr size_t fewSights = 150, manySights = 400;          // more cost time and add little
     constexpr int mostSteps = 40;
     constexpr double shrinking = 0.6;  // any faster, and walls get out of sight
@@ -163,10 +168,14 @@ Alignment Aligner::run(double turn) {
     out.correction.mean[2] = turn;
     const double closest = 0.5 * rootOfSquares(map_.largestSigma(), modelError);
     const double open = widestOpen();
-    for (double share = 1; share * open > closest; share *= shrinking) step(out, share, fewSights);
+    for (double share = 1; share * open > closest; share *= shrinking) {
+        step(out, share, fewSights);
+        if (known.converged && isSmall(out.correction.mean - known.correction.mean)) {
+            return std::nullopt;
+        }
+    }
     for (int i = 0; i < mostSteps && !out.converged; ++i) {
-        const Vector5 change = step(out, 0, manySights);
-        out.converged = change.head<2>().norm() < settledShift && std::abs(change[2]) < settledTurn;
+        out.converged = isSmall(step(out, 0, manySights));
     }
     out.converged =
         out.converged && out.correction.mean.allFinite() && out.correction.covariance.allFinite();

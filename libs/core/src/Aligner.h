@@ -26,8 +26,8 @@ class Aligner {
     Aligner(std::span<const WallSight> sights, const LineMap& map, const PoseCorrection& prior,
             const AlignmentConfig& config, AlignmentScratch& scratch);
 
-    /// \param turn [rad] of the heading to begin with
-    Alignment run(double turn);
+    /// \param turn [rad] of the heading to begin with \return none: it leads to where `known` is
+    std::optional<Alignment> run(double turn, const Alignment& known);
 
     /// See Alignment.
     double throughShare(const PoseCorrection& at) const;

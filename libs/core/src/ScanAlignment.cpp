@@ -69,16 +69,17 @@ Alignment align(std::span<const WallSight> sights, const LineMap& map, const TPo
         const double sigmaHeading = std::sqrt(own.covariance(2, 2));
         for (const double turn : {0.0, -1.0, 1.0, -2.0, 2.0}) {
             if (turn != 0 && (best.fittedShare > 0.5 || sigmaHeading < uncertainHeading)) break;
-            Alignment tried = Aligner(sights, map, own, config, scratch).run(turn * sigmaHeading);
-            tried.priorInflation = inflation;
-            const Eigen::Vector3d moved = tried.correction.mean.head<3>();
-            tried.priorChiSquare = moved.dot(prior.solve(moved));
+            auto tried = Aligner(sights, map, own, config, scratch).run(turn * sigmaHeading, best);
+            if (!tried) continue;
+            tried->priorInflation = inflation;
+            const Eigen::Vector3d moved = tried->correction.mean.head<3>();
+            tried->priorChiSquare = moved.dot(prior.solve(moved));
             const bool first = inflation == 1.0 && turn == 0;
-            const bool allowed = inflation == 1.0 || isDetermined(tried.correction);
-            if (first || (allowed && tried.fittedShare > best.fittedShare + clearlyMore)) {
-                best = tried;
-            } else if (allowed && tried.priorChiSquare > rarely &&
-                       tried.fittedShare > best.fittedShare + somewhatMore) {
+            const bool allowed = inflation == 1.0 || isDetermined(tried->correction);
+            if (first || (allowed && tried->fittedShare > best.fittedShare + clearlyMore)) {
+                best = *tried;
+            } else if (allowed && tried->priorChiSquare > rarely &&
+                       tried->fittedShare > best.fittedShare + somewhatMore) {
                 widestBetter = inflation;
             }
         }
