@@ -116,33 +116,33 @@ TEST(LineFit, coincidingPointsGiveALineAlongX) {
     EXPECT_EQ(fitTo({{3, 4}}).direction, TPoint2D(1, 0));
 }
 
-TEST(LineFit, addingFitsIsAddingTheirPoints) {
+TEST(LineSums, addedUpAreThoseOfAllPoints) {
     std::mt19937 random(8);
     const auto points = noisyLine(0.7, random);
     for (size_t cut = 0; cut <= points.size(); ++cut) {
-        LineFit first, second;
-        for (size_t i = 0; i < points.size(); ++i) (i < cut ? first : second).add(points[i]);
-        first.add(second);
-        const FittedLine line = first.line(), expected = fitTo(points);
-        EXPECT_EQ(first.count(), points.size());
+        LineSums first, second;
+        for (size_t i = 0; i < points.size(); ++i) {
+            (i < cut ? first : second).add(points[i].x, points[i].y);
+        }
+        first += second;
+        const FittedLine line = first.line().withUnitVector();
+        const FittedLine expected = fitTo(points);
         EXPECT_NEAR(crossOf(line.direction, expected.direction), 0, rounding) << "cut at " << cut;
         EXPECT_NEAR((line.point - expected.point).norm(), 0, rounding) << "cut at " << cut;
     }
 }
 
-TEST(LineFit, removingPointsLeavesTheFitOfTheOthers) {
+TEST(LineSums, takenAwayLeaveThoseOfTheOtherPoints) {
     std::mt19937 random(9);
     const auto points = noisyLine(0.7, random);
-    LineFit all, first;
-    for (const TPoint2D& p : points) all.add(p);
-    for (size_t cut = 1; cut + 2 <= points.size(); ++cut) {
-        first.add(points[cut - 1]);
-        LineFit left = all;
-        left.remove(first);
-        const FittedLine line = left.line();
-        const FittedLine expected =
-            fitTo({points.begin() + static_cast<std::ptrdiff_t>(cut), points.end()});
-        EXPECT_EQ(left.count(), points.size() - cut);
+    LineSums all, first;
+    for (const TPoint2D& p : points) all.add(p.x, p.y);
+    for (uint32_t cut = 1; cut + 2 <= points.size(); ++cut) {
+        first.add(points[cut - 1].x, points[cut - 1].y);
+        LineSums left = all;
+        left -= first;
+        const FittedLine line = left.line().withUnitVector();
+        const FittedLine expected = fitTo({points.begin() + cut, points.end()});
         // Two points that happen to be near each other tell the direction 100 times worse.
         EXPECT_NEAR(crossOf(line.direction, expected.direction), 0, 100 * rounding) << cut;
         EXPECT_NEAR((line.point - expected.point).norm(), 0, 100 * rounding) << cut;

@@ -9,7 +9,7 @@
 
 namespace offmap::core {
 
-/// Sums over points as LineFit takes them, four points at a time.
+/// LineSums, four points at a time.
 class LaneSums {
  public:
     /// \param last so many of the four count, the last ones
@@ -27,32 +27,37 @@ class LaneSums {
         real_ += x * x - y * y;
         halfImag_ += x * y;
     }
-    LineFit fit(uint32_t count) const {
-        return {count, {0, 0}, {total(x_), total(y_), total(real_), total(halfImag_)}};
+    /// Lanes are added up as total() does it, those of all four sums together.
+    LineSums of(uint32_t count) const {
+        const DoubleLanes places = __builtin_shufflevector(x_, y_, 0, 4, 2, 6) +
+                                   __builtin_shufflevector(x_, y_, 1, 5, 3, 7);
+        const DoubleLanes squares = __builtin_shufflevector(real_, halfImag_, 0, 4, 2, 6) +
+                                    __builtin_shufflevector(real_, halfImag_, 1, 5, 3, 7);
+        return {count, __builtin_shufflevector(places, squares, 0, 1, 4, 5) +
+                           __builtin_shufflevector(places, squares, 2, 3, 6, 7)};
     }
 
  private:
     DoubleLanes x_{}, y_{}, real_{}, halfImag_{};
 };
 
-/// Through all of the points, which stand near (0, 0): within 1 km of it, sums lose less than
-/// floats do.
-[[gnu::always_inline]] inline LineFit fitOf(const PlanePoints& points) {
+/// Of all of the points, from (0, 0): within 1 km of it, sums lose less than floats do.
+[[gnu::always_inline]] inline LineSums sumsOf(const PlanePoints& points) {
     const auto count = static_cast<uint32_t>(points.size());
     const float *x = points.x.data(), *y = points.y.data();
     if (count < doubleLaneCount) {
-        LineFit::Sums sums;
+        LineSums sums;
         for (uint32_t i = 0; i < count; ++i) {
             sums.add(static_cast<double>(x[i]), static_cast<double>(y[i]));
         }
-        return {count, {0, 0}, sums};
+        return sums;
     }
     LaneSums sums;
     const uint32_t last = count - doubleLaneCount;
     uint32_t i = 0;
     for (; i <= last; i += doubleLaneCount) sums.add(x + i, y + i);
     sums.add(x + last, y + last, count - i);
-    return sums.fit(count);
+    return sums.of(count);
 }
 
 }  // namespace offmap::core

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace offmap::core {
@@ -25,11 +26,6 @@ class OffsetsFromLine {
         float alongX, alongY;  ///< a vector along it
         float length;          ///< of that; only used with slack
     };
-    struct Furthest {
-        float offset;    ///< times the length; less than 0 if all are within their slack
-        uint32_t point;  ///< the first of several
-    };
-
     /// \param slack [m] per point, or empty
     OffsetsFromLine(const PlanePoints& points, std::span<const float> slack, const ScaledLine& line)
         : points_{points.x.data(), points.y.data(), slack.empty() ? nullptr : slack.data(),
@@ -39,8 +35,6 @@ class OffsetsFromLine {
                 slack.empty() ? 0 : static_cast<float>(std::sqrt(line.squaredLength))},
           squaredLength_(line.squaredLength) {}
 
-    /// \pre there are points
-    Furthest furthest() const;
     /// \param limit [m]
     bool anyBeyond(double limit) const;
 
@@ -50,83 +44,108 @@ class OffsetsFromLine {
         return beyond * beyond > limit * limit * squaredLength_;
     }
 
+    /// Of one point.
+    float of(uint32_t point) const {
+        const float off = (points_.y[point] - line_.y) * line_.alongX -
+                          (points_.x[point] - line_.x) * line_.alongY;
+        return (off < 0 ? -off : off) - (points_.slack ? points_.slack[point] * line_.length : 0);
+    }
+    /// Of the points from one on.
+    [[gnu::always_inline]] void of(uint32_t first, Lanes& offsets) const {
+        Lanes x, y;
+        load(points_.x + first, x);
+        load(points_.y + first, y);
+        const Lanes off = (y - line_.y) * line_.alongX - (x - line_.x) * line_.alongY;
+        offsets = off > -off ? off : -off;
+        if (!points_.slack) return;
+        Lanes slack;
+        load(points_.slack + first, slack);
+        offsets -= slack * line_.length;
+    }
+    uint32_t count() const { return points_.count; }
+
  private:
     Points points_;
     Line line_;
     double squaredLength_;
 };
 
-/// Of less points than lanes.
-inline OffsetsFromLine::Furthest furthestOfFew(const OffsetsFromLine::Points& points,
-                                               const OffsetsFromLine::Line& line) {
-    OffsetsFromLine::Furthest furthest{-1, 0};
-    for (uint32_t i = 0; i < points.count; ++i) {
-        const float off =
-            (points.y[i] - line.y) * line.alongX - (points.x[i] - line.x) * line.alongY;
-        const float offset =
-            (off < 0 ? -off : off) - (points.slack ? points.slack[i] * line.length : 0);
-        if (offset > furthest.offset) furthest = {offset, i};
+/// The greatest offset of any point. Blocks follow each other; the last one ends with the points,
+/// so it may overlap the one before. \pre there are points
+inline float greatestOf(const OffsetsFromLine& of) {
+    if (of.count() < laneCount) {
+        float most = of.of(0);
+        for (uint32_t i = 1; i < of.count(); ++i) most = std::max(most, of.of(i));
+        return most;
     }
-    return furthest;
-}
-
-/// Offsets of the points from i on.
-[[gnu::always_inline]] inline void offsetsAt(const OffsetsFromLine::Points& points, uint32_t i,
-                                             const OffsetsFromLine::Line& line, Lanes& offsets) {
-    Lanes x, y;
-    load(points.x + i, x);
-    load(points.y + i, y);
-    const Lanes off = (y - line.y) * line.alongX - (x - line.x) * line.alongY;
-    offsets = off > -off ? off : -off;
-    if (!points.slack) return;
-    Lanes slack;
-    load(points.slack + i, slack);
-    offsets -= slack * line.length;
-}
-
-/// Blocks follow each other; the last one ends with the points, so it may overlap the one before.
-inline float greatestOf(const OffsetsFromLine::Points& points, const OffsetsFromLine::Line& line) {
-    if (points.count < laneCount) return furthestOfFew(points, line).offset;
-    const uint32_t last = points.count - laneCount;
+    const uint32_t last = of.count() - laneCount;
     Lanes most, offsets;
-    offsetsAt(points, last, line, most);
+    of.of(last, most);
     for (uint32_t i = 0; i < last; i += laneCount) {
-        offsetsAt(points, i, line, offsets);
+        of.of(i, offsets);
         most = offsets > most ? offsets : most;
     }
     spreadGreatest(most);
     return most[0];
 }
 
-inline OffsetsFromLine::Furthest furthestOf(const OffsetsFromLine::Points& points,
-                                            const OffsetsFromLine::Line& line) {
-    if (points.count < laneCount) return furthestOfFew(points, line);
-    const uint32_t last = points.count - laneCount;
-    Lanes most, offsets;
-    LaneNumbers numbers = {0, 1, 2, 3, 4, 5, 6, 7}, furthest = numbers;
-    offsetsAt(points, 0, line, most);
-    for (uint32_t i = 0; i < last;) {
-        const uint32_t step = std::min(laneCount, last - i);
-        i += step;
-        numbers += static_cast<int32_t>(step);
-        offsetsAt(points, i, line, offsets);
-        furthest = offsets > most ? numbers : furthest;
-        most = offsets > most ? offsets : most;
+/// Which point is furthest off. Each lane has one of its own until that is asked for.
+class FurthestFromLine {
+ public:
+    /// \pre there are points
+    [[gnu::always_inline]] explicit FurthestFromLine(const OffsetsFromLine& of) : of_(of) {
+        if (of.count() < laneCount) {
+            findAmongFew();
+        } else {
+            findInLanes();
+        }
     }
-    Lanes greatest = most;
-    spreadGreatest(greatest);
-    const LaneNumbers none = LaneNumbers{} + static_cast<int32_t>(points.count);
-    LaneNumbers negative = most == greatest ? -furthest : -none;  // the first is the greatest
-    spreadGreatest(negative);
-    return {greatest[0], static_cast<uint32_t>(-negative[0])};
-}
+    bool isBeyond(double limit) const { return of_.isBeyond(greatest_[0], limit); }
+    /// The first of several.
+    uint32_t point() const {
+        constexpr LaneNumbers none = LaneNumbers{} + std::numeric_limits<int32_t>::min();
+        LaneNumbers negative = offsets_ == greatest_ ? -points_ : none;
+        spreadGreatest(negative);
+        return static_cast<uint32_t>(-negative[0]);
+    }
 
-inline OffsetsFromLine::Furthest OffsetsFromLine::furthest() const {
-    return furthestOf(points_, line_);
-}
+ private:
+    [[gnu::always_inline]] void findAmongFew() {
+        float most = of_.of(0);
+        int32_t furthest = 0;
+        for (uint32_t i = 1; i < of_.count(); ++i) {
+            const float offset = of_.of(i);
+            if (offset > most) most = offset, furthest = static_cast<int32_t>(i);
+        }
+        offsets_ = greatest_ = Lanes{} + most;
+        points_ = LaneNumbers{} + furthest;
+    }
+    [[gnu::always_inline]] void findInLanes() {
+        constexpr LaneNumbers fromZero = {0, 1, 2, 3, 4, 5, 6, 7};
+        const uint32_t last = of_.count() - laneCount;
+        of_.of(last, offsets_);
+        points_ = fromZero + static_cast<int32_t>(last);
+        uint32_t i = (last + laneCount - 1) / laneCount * laneCount;
+        LaneNumbers more = fromZero + static_cast<int32_t>(i);
+        Lanes offsets;
+        while (i > 0) {  // backwards, as the first of several counts
+            i -= laneCount;
+            more -= static_cast<int32_t>(laneCount);
+            of_.of(i, offsets);
+            points_ = offsets >= offsets_ ? more : points_;
+            offsets_ = offsets_ > offsets ? offsets_ : offsets;
+        }
+        greatest_ = offsets_;
+        spreadGreatest(greatest_);
+    }
+
+    OffsetsFromLine of_;
+    Lanes offsets_, greatest_;
+    LaneNumbers points_;
+};
 
 inline bool OffsetsFromLine::anyBeyond(double limit) const {
-    return isBeyond(greatestOf(points_, line_), limit);
+    return isBeyond(greatestOf(*this), limit);
 }
 
 }  // namespace offmap::core

@@ -20,15 +20,36 @@ inline bool isGapBehind(const PlanePoints& points, uint32_t before, double maxGa
                  static_cast<float>(maxGap * maxGap));
 }
 
-/// Whether any of the steps from a point and those behind it is too wide.
-[[gnu::always_inline]] inline bool anyGap(const float* x, const float* y, float squaredGap) {
+/// [m^2] Of the steps from as many points as there are lanes, each to the next.
+[[gnu::always_inline]] inline void squaredSteps(const float* x, const float* y, Lanes& squares) {
     Lanes x0, x1, y0, y1;
     load(x, x0);
     load(x + 1, x1);
     load(y, y0);
     load(y + 1, y1);
-    const Lanes squares = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0);
-    return any(squares > squaredGap);
+    squares = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0);
+}
+
+/// Whether any of the steps between neighbours is above maxGap [m]: of most columns, none is.
+inline bool hasGap(const PlanePoints& points, double maxGap) {
+    const float *x = points.x.data(), *y = points.y.data();
+    const auto squaredGap = static_cast<float>(maxGap * maxGap);
+    const auto size = static_cast<uint32_t>(points.size());
+    if (size <= laneCount) {
+        for (uint32_t i = 1; i < size; ++i) {
+            if (isGap(x + i - 1, y + i - 1, squaredGap)) return true;
+        }
+        return false;
+    }
+    const uint32_t last = size - 1 - laneCount;  // the last block may overlap the one before
+    Lanes widest, squares;
+    squaredSteps(x + last, y + last, widest);
+    for (uint32_t i = 0; i < last; i += laneCount) {
+        squaredSteps(x + i, y + i, squares);
+        widest = squares > widest ? squares : widest;
+    }
+    spreadGreatest(widest);
+    return widest[0] > squaredGap;
 }
 
 /// Where the points that lead up to `end` with no step above maxGap [m] begin.
@@ -37,8 +58,10 @@ inline uint32_t beginOfRunWithoutGap(const PlanePoints& points, uint32_t end, do
     const float *x = points.x.data(), *y = points.y.data();
     const auto squaredGap = static_cast<float>(maxGap * maxGap);
     uint32_t i = end - 1;
-    while (i >= laneCount && !anyGap(x + i - laneCount, y + i - laneCount, squaredGap)) {
-        i -= laneCount;
+    for (; i >= laneCount; i -= laneCount) {
+        Lanes squares;
+        squaredSteps(x + i - laneCount, y + i - laneCount, squares);
+        if (any(squares > squaredGap)) break;
     }
     while (i > 0 && !isGap(x + i - 1, y + i - 1, squaredGap)) --i;
     return i;

@@ -53,6 +53,12 @@ using DoubleLanes [[gnu::vector_size(doubleLaneCount * sizeof(double))]] = doubl
     lanes = DoubleLanes{values[0], values[1], values[2], values[3]};  // becomes one conversion
 }
 [[gnu::always_inline]] inline void load(const float* values, double& number) { number = *values; }
+[[gnu::always_inline]] inline void load(const double* values, DoubleLanes& lanes) {
+    std::memcpy(&lanes, values, sizeof lanes);
+}
+[[gnu::always_inline]] inline void store(const DoubleLanes& lanes, double* values) {
+    std::memcpy(values, &lanes, sizeof lanes);
+}
 
 /// Leaves the last of the lanes as they are, the others become 0.
 [[gnu::always_inline]] inline void keepLast(uint32_t count, DoubleLanes& lanes) {

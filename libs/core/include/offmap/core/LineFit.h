@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <offmap/core/Lanes.h>
+
 #include <mrpt/math/TPoint2D.h>
 
+#include <array>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace offmap::core {
@@ -32,83 +35,69 @@ struct ScaledLine {
     double squaredLength;  ///< of `along`, not 0
 
     FittedLine withUnitVector() const { return {point, along * (1 / std::sqrt(squaredLength))}; }
+    /// Squared distance of a point from the line, times the squared length.
+    double scaledSquare(const mrpt::math::TPoint2D& p) const {
+        const double scaled = (p.y - point.y) * along.x - (p.x - point.x) * along.y;
+        return scaled * scaled;
+    }
 };
 
-/// Total least squares line through points that are added one by one. Sums are taken from the first
-/// point or from a chosen origin near the points, so that far from (0, 0) nothing is lost.
-class LineFit {
+/// Sums over points as complex numbers z = x + iy: all that the line through them depends on. Those
+/// of one origin can be added, and taken away again.
+class LineSums {
  public:
-    /// Of points as complex numbers z = x + iy, seen from an origin: all that their line depends
-    /// on.
-    struct Sums {
-        double x = 0, y = 0;  ///< [m] of z
-        double real = 0;      ///< [m^2] of the real part of z^2, x^2 - y^2
-        double halfImag = 0;  ///< [m^2] of half the imaginary part of z^2, x y
+    LineSums() = default;
+    /// \param sums in lanes: of x, y [m], and of x^2 - y^2, x y [m^2]: real part of z^2, half its
+    /// imaginary part
+    LineSums(uint32_t count, const DoubleLanes& sums) : count_(count) { store(sums, sums_.data()); }
 
-        void add(double pointX, double pointY) {
-            x += pointX;
-            y += pointY;
-            real += pointX * pointX - pointY * pointY;
-            halfImag += pointX * pointY;
-        }
-    };
-
-    LineFit() = default;
-    LineFit(size_t count, const mrpt::math::TPoint2D& origin, const Sums& sums)
-        : count_(count), origin_(origin), sums_(sums) {}
-
-    void add(const mrpt::math::TPoint2D& p) {
-        if (count_ == 0) origin_ = p;
-        ++count_;
-        sums_.add(p.x - origin_.x, p.y - origin_.y);
+    // As a whole: what has just been written piece by piece would have to be waited for.
+    LineSums(const LineSums& other) { *this = other; }
+    LineSums& operator=(const LineSums& other) {
+        DoubleLanes sums;
+        load(other.sums_.data(), sums);
+        store(sums, sums_.data());
+        count_ = other.count_;
+        return *this;
     }
-    /// As if the points of the other had been added one by one.
-    void add(const LineFit& other);
-    /// As if some of its points had never been added. \pre `part` has the same origin
-    void remove(const LineFit& part);
-    size_t count() const { return count_; }
 
-    /// The line of least squared distances; through coinciding points, one along x.
-    FittedLine line() const { return scaledLine().withUnitVector(); }
-    ScaledLine scaledLine() const;
+    void add(double x, double y) {
+        sums_[0] += x;
+        sums_[1] += y;
+        sums_[2] += x * x - y * y;
+        sums_[3] += x * y;
+        ++count_;
+    }
+    LineSums& operator+=(const LineSums& more) {
+        DoubleLanes sums, others;
+        load(sums_.data(), sums);
+        load(more.sums_.data(), others);
+        store(sums + others, sums_.data());
+        count_ += more.count_;
+        return *this;
+    }
+    LineSums& operator-=(const LineSums& less) {
+        DoubleLanes sums, others;
+        load(sums_.data(), sums);
+        load(less.sums_.data(), others);
+        store(sums - others, sums_.data());
+        count_ -= less.count_;
+        return *this;
+    }
+    uint32_t count() const { return count_; }
+
+    /// The line of least squared distances to the points; through coinciding ones, one along x.
+    /// \pre there are points
+    ScaledLine line() const;
 
  private:
-    size_t count_ = 0;
-    mrpt::math::TPoint2D origin_;
-    Sums sums_;
+    std::array<double, doubleLaneCount> sums_{};  // written and read as a whole
+    uint32_t count_ = 0;
 };
 
-/// Through all of the points.
-LineFit fitOf(std::span<const mrpt::math::TPoint2D> points);
-
-inline void LineFit::add(const LineFit& other) {
-    if (count_ == 0) {
-        *this = other;
-        return;
-    }
-    // (z + d)^2 = z^2 + 2 z d + d^2
-    const double n = static_cast<double>(other.count_);
-    const double dx = other.origin_.x - origin_.x, dy = other.origin_.y - origin_.y;
-    const Sums& more = other.sums_;
-    count_ += other.count_;
-    sums_.x += more.x + n * dx;
-    sums_.y += more.y + n * dy;
-    sums_.real += more.real + 2 * (more.x * dx - more.y * dy) + n * (dx * dx - dy * dy);
-    sums_.halfImag += more.halfImag + more.x * dy + more.y * dx + n * dx * dy;
-}
-
-inline void LineFit::remove(const LineFit& part) {
-    count_ -= part.count_;
-    sums_.x -= part.sums_.x;
-    sums_.y -= part.sums_.y;
-    sums_.real -= part.sums_.real;
-    sums_.halfImag -= part.sums_.halfImag;
-}
-
-inline ScaledLine LineFit::scaledLine() const {
-    const double n = static_cast<double>(count_);
-    const auto& [x, y, real, halfImag] = sums_;
-    const mrpt::math::TPoint2D point(origin_.x + x / n, origin_.y + y / n);
+inline ScaledLine LineSums::line() const {
+    const double n = count_, x = sums_[0], y = sums_[1], real = sums_[2], halfImag = sums_[3];
+    const mrpt::math::TPoint2D point(x / n, y / n);
     // The major axis of the scatter stands at half the angle of n sum z^2 - (sum z)^2.
     const double difference = n * real - (x * x - y * y), doubled = 2 * (n * halfImag - x * y);
     const double length = std::sqrt(difference * difference + doubled * doubled);
@@ -119,5 +108,30 @@ inline ScaledLine LineFit::scaledLine() const {
                                                        : mrpt::math::TPoint2D(doubled, larger);
     return {point, along, 2 * length * larger};
 }
+
+/// Total least squares line through points that are added one by one. Sums are taken from the first
+/// point, so that far from (0, 0) nothing is lost.
+class LineFit {
+ public:
+    void add(const mrpt::math::TPoint2D& p) {
+        if (count() == 0) origin_ = p;
+        sums_.add(p.x - origin_.x, p.y - origin_.y);
+    }
+    uint32_t count() const { return sums_.count(); }
+
+    /// See LineSums::line().
+    FittedLine line() const {
+        FittedLine line = sums_.line().withUnitVector();
+        line.point += origin_;
+        return line;
+    }
+
+ private:
+    mrpt::math::TPoint2D origin_;
+    LineSums sums_;
+};
+
+/// Through all of the points.
+LineFit fitOf(std::span<const mrpt::math::TPoint2D> points);
 
 }  // namespace offmap::core

@@ -15,7 +15,7 @@ struct PlanePoints {
     size_t size() const { return x.size(); }
     mrpt::math::TPoint2D operator[](size_t i) const { return {x[i], y[i]}; }
     PlanePoints range(size_t begin, size_t end) const {
-        return {x.subspan(begin, end - begin), y.subspan(begin, end - begin)};
+        return {{x.data() + begin, end - begin}, {y.data() + begin, end - begin}};
     }
 };
 

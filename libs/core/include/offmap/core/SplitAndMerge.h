@@ -28,10 +28,12 @@ struct LinePiece {
 
 /// Working memory, and the owner of the result.
 struct SplitAndMergeScratch {
-    /// Points that follow each other without a gap, and their fit: of none until it is needed.
+    /// Points that follow each other without a gap, and their sums: of none, until they are needed.
     struct Run {
+        LineSums sums;
         uint32_t begin, end;
-        LineFit fit;
+
+        uint32_t size() const { return end - begin; }
     };
     /// With the line that serves it.
     struct StraightRun : Run {
