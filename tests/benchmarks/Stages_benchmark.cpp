@@ -33,7 +33,7 @@ struct Steps {
         const double maxMountingSlope = std::tan(config.groundInterval.maxMountingTilt);
         measured.clear();
         for (const VerticalSegment& segment : segments) {
-            measured.push_back(groundInterval(segment, levelled, maxMountingSlope));
+            measured.push_back(groundInterval(segment, maxMountingSlope));
         }
     }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -12,21 +13,17 @@ namespace {
 
 constexpr double degree = mrpt::DEG2RAD(1.0);
 
-/// \param profile (ground range, z)
-LevelledScan levelledOf(const std::vector<mrpt::math::TPoint2D>& profile) {
-    LevelledScan levelled;
-    for (const auto& [range, z] : profile) {
-        levelled.range.push_back(static_cast<float>(range));
-        levelled.z.push_back(static_cast<float>(z));
-    }
-    return levelled;
-}
-
-/// The interval of a segment that holds all points of a profile, (ground range, z).
+/// The interval of a segment whose points are those of a profile, (ground range, z).
 Interval intervalOf(const std::vector<mrpt::math::TPoint2D>& profile, double maxMountingTilt) {
+    using mrpt::math::TPoint2D;
+    const auto [nearest, furthest] = std::ranges::minmax(profile, {}, &TPoint2D::x);
+    const auto [lowest, highest] = std::ranges::minmax(profile, {}, &TPoint2D::y);
     VerticalSegment segment{};
-    segment.end = static_cast<uint32_t>(profile.size());
-    return groundInterval(segment, levelledOf(profile), std::tan(maxMountingTilt));
+    segment.nearest = nearest.x;
+    segment.furthest = furthest.x;
+    segment.lowest = lowest.y;
+    segment.highest = highest.y;
+    return groundInterval(segment, std::tan(maxMountingTilt));
 }
 
 }  // namespace
@@ -40,7 +37,7 @@ TEST(GroundInterval, wallOfThreeMetresSeenFromTheGroundErrsByTenCentimetres) {
 
 TEST(GroundInterval, spansThePointsWhereTheMountingIsUpright) {
     const Interval interval = intervalOf({{4.97, -1}, {5.02, 0}, {4.99, 1}}, 0);
-    EXPECT_EQ(interval, Interval(4.97F, 5.02F));  // eq. 3
+    EXPECT_EQ(interval, Interval(4.97, 5.02));  // eq. 3
 }
 
 TEST(GroundInterval, endFurthestAboveOrBelowTheSensorCounts) {
@@ -48,14 +45,6 @@ TEST(GroundInterval, endFurthestAboveOrBelowTheSensorCounts) {
     EXPECT_NEAR(intervalOf({{5, -2}, {5, 1}}, tilt).width(), 2 * 0.25, 1e-15);
     EXPECT_NEAR(intervalOf({{5, -1}, {5, 2}}, tilt).width(), 2 * 0.25, 1e-15);
     EXPECT_NEAR(intervalOf({{5, 2}, {5, 1}}, tilt).width(), 2 * 0.25, 1e-15);
-}
-
-TEST(GroundInterval, looksAtTheSegmentAlone) {
-    const LevelledScan levelled = levelledOf({{1, 9}, {5, 0}, {5.25, 0}, {9, -9}});
-    VerticalSegment segment{};
-    segment.begin = 1;
-    segment.end = 3;
-    EXPECT_EQ(groundInterval(segment, levelled, std::tan(2 * degree)), Interval(5, 5.25));
 }
 
 }  // namespace offmap::core

@@ -174,4 +174,24 @@ TEST(VerticalSegments, emptyAndOnePointColumnsGiveNone) {
     EXPECT_TRUE(segmentsOf({}).segments.empty());
 }
 
+TEST(VerticalSegments, tellWhatTheirOwnPointsSpan) {
+    // A floor, a wall with one return 4 cm behind the others, and a ceiling; as many as lanes, and
+    // not.
+    for (const int points : {5, 8, 21, 40}) {
+        std::vector<TPoint2D> profile{{2, -1}, {3, -1}, {4, -1}};
+        for (int i = 0; i < points; ++i) {
+            profile.emplace_back(i == points / 2 ? 5.0625 : 5.03125, -0.75 + 1.5 * i / points);
+        }
+        const Found found = segmentsOf(columnOf(profile), {.minPoints = 5});
+        ASSERT_EQ(found.segments.size(), 1u) << points;
+        const VerticalSegment& segment = found.segments[0];
+        EXPECT_EQ(segment.end - segment.begin, static_cast<uint32_t>(points));
+        EXPECT_EQ(segment.nearest, 5.03125);
+        EXPECT_EQ(segment.furthest, 5.0625);
+        EXPECT_EQ(segment.lowest, -0.75);
+        EXPECT_NEAR(segment.highest, -0.75 + 1.5 * (points - 1) / points, rounding);
+        EXPECT_NEAR(segment.centre.x, 5.03125 + 0.03125 / points, rounding);
+    }
+}
+
 }  // namespace offmap::core

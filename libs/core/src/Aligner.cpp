@@ -160,7 +160,7 @@ Vector5 Aligner::step(Alignment& out, double priorShare, size_t mostSights) {
 /// Walls are looked for within what the prior leaves open first, and ever closer by, until that is
 /// no more than what a sight may be off by itself.
 std::optional<Alignment> Aligner::run(double turn, const Alignment& known) {
-    constexpr size_t fewSights = 150, manySights = 400;          // more cost time and add little
+    constexpr size_t fewSights = 150, manySights = 400;  // more cost time and add little
     constexpr int mostSteps = 40;
     constexpr double shrinking = 0.6;  // any faster, and walls get out of sight
     Alignment out;

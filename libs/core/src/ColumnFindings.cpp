@@ -40,8 +40,8 @@ void ColumnFindings::add(const OrganizedScan& scan, ReductionResult& result) {
         addViewpoint(scan, result);                              // 3.2
         while (result.matches.size() < result.segments.size()) {
             const VerticalSegment& segment = result.segments[result.matches.size()];
-            SegmentMatch& match = result.matches.emplace_back();                     // Kept, NoPose
-            match.measured = groundInterval(segment, levelled_, maxMountingSlope_);  // eqs. 3-5
+            SegmentMatch& match = result.matches.emplace_back();          // Kept, NoPose
+            match.measured = groundInterval(segment, maxMountingSlope_);  // eqs. 3-5
         }
     }
     if (config_.matching.method == MatchingMethod::Paper) {

@@ -4,6 +4,8 @@
 #include <offmap/core/Lanes.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace offmap::core {
@@ -13,34 +15,44 @@ struct Extent {
     float least, greatest;
 };
 
-/// Of something that `at` tells of each point: at(i, number) of point i, at(i, lanes) of as many
-/// points from there on. The last block ends with the points, so it may overlap the one before.
-/// \pre count > 0
-template <class At>
-[[gnu::always_inline]] inline Extent extentOf(uint32_t count, const At& at) {
+/// Of some quantities that `at` tells of each point: at(i, numbers) of point i, at(i, lanes) of as
+/// many points from there on; one number, or lanes, a quantity. The last block ends with the
+/// points, so it may overlap the one before. \pre count > 0
+template <size_t quantities, class At>
+[[gnu::always_inline]] inline std::array<Extent, quantities> extentsOf(uint32_t count,
+                                                                       const At& at) {
+    std::array<Extent, quantities> extents;
     if (count < laneCount) {
-        float number;
-        at(0, number);
-        Extent extent{number, number};
+        float numbers[quantities];
+        at(0, numbers);
+        for (size_t q = 0; q < quantities; ++q) extents[q] = {numbers[q], numbers[q]};
         for (uint32_t i = 1; i < count; ++i) {
-            at(i, number);
-            extent = {std::min(extent.least, number), std::max(extent.greatest, number)};
+            at(i, numbers);
+            for (size_t q = 0; q < quantities; ++q) {
+                extents[q] = {std::min(extents[q].least, numbers[q]),
+                              std::max(extents[q].greatest, numbers[q])};
+            }
         }
-        return extent;
+        return extents;
     }
     const uint32_t last = count - laneCount;
-    Lanes least, greatest, lanes;
+    Lanes least[quantities], greatest[quantities], lanes[quantities];
     at(last, least);
-    greatest = least;
+    for (size_t q = 0; q < quantities; ++q) greatest[q] = least[q];
     for (uint32_t i = 0; i < last; i += laneCount) {
         at(i, lanes);
-        least = lanes < least ? lanes : least;
-        greatest = lanes > greatest ? lanes : greatest;
+        for (size_t q = 0; q < quantities; ++q) {
+            least[q] = lanes[q] < least[q] ? lanes[q] : least[q];
+            greatest[q] = lanes[q] > greatest[q] ? lanes[q] : greatest[q];
+        }
     }
-    least = -least;
-    spreadGreatest(least);
-    spreadGreatest(greatest);
-    return {-least[0], greatest[0]};
+    for (size_t q = 0; q < quantities; ++q) {
+        least[q] = -least[q];
+        spreadGreatest(least[q]);
+        spreadGreatest(greatest[q]);
+        extents[q] = {-least[q][0], greatest[q][0]};
+    }
+    return extents;
 }
 
 }  // namespace offmap::core

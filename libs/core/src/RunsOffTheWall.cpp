@@ -59,13 +59,14 @@ struct LineInFloats {
 [[gnu::flatten]] OFFMAP_BY_PROCESSOR Extent extentBehind(const float* x, const float* y,
                                                          const float* z, uint32_t count,
                                                          const LineInFloats& line) {
-    return extentOf(count, [&](uint32_t i, auto& behind) {
-        std::remove_cvref_t<decltype(behind)> east, north, up;
+    const auto [behind] = extentsOf<1>(count, [&](uint32_t i, auto& numbers) {
+        std::remove_cvref_t<decltype(numbers[0])> east, north, up;
         load(x + i, east);
         load(y + i, north);
         load(z + i, up);
-        behind = line.ofSensor + line.perX * east + line.perY * north + line.perHeight * up;
+        numbers[0] = line.ofSensor + line.perX * east + line.perY * north + line.perHeight * up;
     });
+    return behind;
 }
 
 /// Whether no run of a segment can stand off the wall, because not one of its returns does. Tells

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace offmap::core {
 
@@ -15,7 +14,7 @@ using mrpt::math::TPoint2D;
 
 namespace {
 
-OFFMAP_BY_PROCESSOR TPoint2D centreOf(const float* x, const float* y, uint32_t count) {
+TPoint2D centreOf(const float* x, const float* y, uint32_t count) {
     if (count < doubleLaneCount) {
         TPoint2D sum;
         for (uint32_t i = 0; i < count; ++i) sum += TPoint2D(x[i], y[i]);
@@ -39,31 +38,25 @@ OFFMAP_BY_PROCESSOR TPoint2D centreOf(const float* x, const float* y, uint32_t c
     return TPoint2D(total(sumsX), total(sumsY)) * (1.0 / count);
 }
 
-/// [m] Of points along a line, from a point on it. \param x, y of the first one
-[[gnu::flatten]] OFFMAP_BY_PROCESSOR Extent extentAlong(const float* x, const float* y,
-                                                        uint32_t count, float lineX, float lineY,
-                                                        float alongX, float alongY) {
-    return extentOf(count, [&](uint32_t i, auto& along) {
-        std::remove_cvref_t<decltype(along)> pointX, pointY;
-        load(x + i, pointX);
-        load(y + i, pointY);
-        along = (pointX - lineX) * alongX + (pointY - lineY) * alongY;
-    });
-}
-
-[[gnu::flatten]] OFFMAP_BY_PROCESSOR Extent extentAmong(const float* values, uint32_t count) {
-    return extentOf(count, [&](uint32_t i, auto& numbers) { load(values + i, numbers); });
-}
-
-/// The ends of a piece, and where it stands.
-void measure(const LinePiece& piece, const LevelledScan& levelled, VerticalSegment& segment) {
+/// The ends of a piece, what it spans, and where it stands.
+[[gnu::flatten]] OFFMAP_BY_PROCESSOR void measure(const LinePiece& piece,
+                                                  const LevelledScan& levelled,
+                                                  VerticalSegment& segment) {
     const uint32_t begin = segment.begin, count = segment.end - begin;
-    const auto [least, greatest] = extentAlong(
-        levelled.range.data() + begin, levelled.z.data() + begin, count,
-        static_cast<float>(piece.line.point.x), static_cast<float>(piece.line.point.y),
-        static_cast<float>(piece.line.direction.x), static_cast<float>(piece.line.direction.y));
-    segment.bottom = piece.line.at(static_cast<double>(least));
-    segment.top = piece.line.at(static_cast<double>(greatest));
+    const auto [point, direction] = piece.line;
+    const auto lineRange = static_cast<float>(point.x), lineZ = static_cast<float>(point.y);
+    const auto perRange = static_cast<float>(direction.x), perZ = static_cast<float>(direction.y);
+    const auto [range, z, along] = extentsOf<3>(count, [&](uint32_t i, auto& numbers) {
+        load(levelled.range.data() + begin + i, numbers[0]);
+        load(levelled.z.data() + begin + i, numbers[1]);
+        numbers[2] = (numbers[0] - lineRange) * perRange + (numbers[1] - lineZ) * perZ;
+    });
+    segment.nearest = static_cast<double>(range.least);
+    segment.furthest = static_cast<double>(range.greatest);
+    segment.lowest = static_cast<double>(z.least);
+    segment.highest = static_cast<double>(z.greatest);
+    segment.bottom = piece.line.at(static_cast<double>(along.least));
+    segment.top = piece.line.at(static_cast<double>(along.greatest));
     if (segment.bottom.y > segment.top.y) std::swap(segment.bottom, segment.top);
     segment.centre = centreOf(levelled.x.data() + begin, levelled.y.data() + begin, count);
 }
@@ -96,10 +89,13 @@ void VerticalSegmentFinder::addColumn(const OrganizedScan& scan, const LevelledS
         const double aside = std::abs(piece.line.direction.x);
         const double upwards = std::abs(piece.line.direction.y);
         if (!(aside <= upwards * maxSlope_)) continue;
-        VerticalSegment segment{
-            column, begin + piece.begin, begin + piece.end, {}, {}, aside / upwards, {}};
+        // In place: what is copied has to wait to be written.
+        VerticalSegment& segment = segments.emplace_back();
+        segment.column = column;
+        segment.begin = begin + piece.begin;
+        segment.end = begin + piece.end;
+        segment.slope = aside / upwards;
         measure(piece, levelled, segment);
-        segments.push_back(segment);
     }
 }
 
@@ -109,15 +105,11 @@ void VerticalSegmentFinder::find(const OrganizedScan& scan, const LevelledScan& 
     for (uint32_t c = 0; c < scan.columns.size(); ++c) addColumn(scan, levelled, c, segments);
 }
 
-Interval groundInterval(const VerticalSegment& segment, const LevelledScan& levelled,
-                        double maxMountingSlope) {
-    const uint32_t begin = segment.begin, count = segment.end - begin;
-    const auto [nearest, furthest] = extentAmong(levelled.range.data() + begin, count);
-    const auto [lowest, highest] = extentAmong(levelled.z.data() + begin, count);
-    const double height = std::max(-lowest, highest);  // of the end furthest from the sensor's
-    const double margin = height * maxMountingSlope;   // eqs. 4, 5
-    return {static_cast<double>(nearest) - margin,
-            static_cast<double>(furthest) + margin};  // eq. 3
+Interval groundInterval(const VerticalSegment& segment, double maxMountingSlope) {
+    // Of the end furthest from the sensor's height.
+    const double height = std::max(-segment.lowest, segment.highest);
+    const double margin = height * maxMountingSlope;               // eqs. 4, 5
+    return {segment.nearest - margin, segment.furthest + margin};  // eq. 3
 }
 
 }  // namespace offmap::core

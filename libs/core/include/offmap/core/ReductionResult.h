@@ -57,6 +57,8 @@ struct VerticalSegment {
     double slope;              ///< [-] ground range per height, without sign
     mrpt::math::TPoint2D
         centre;  ///< [m] mean of its points on the ground, from the sensor, map's axes
+    double nearest = 0, furthest = 0;  ///< [m] ground ranges that its points span
+    double lowest = 0, highest = 0;    ///< [m] heights that they span, above the sensor
 
     /// [rad] gamma, against the z axis, [0, pi/2]
     double tilt() const { return std::atan(slope); }

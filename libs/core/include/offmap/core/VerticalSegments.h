@@ -37,7 +37,6 @@ class VerticalSegmentFinder {
 /// The interval of ground range that a segment's points span, widened by what a tilted mounting
 /// does to its higher or lower end (eqs. 3 to 5) [m].
 /// \param maxMountingSlope tangent of GroundIntervalConfig::maxMountingTilt
-Interval groundInterval(const VerticalSegment& segment, const LevelledScan& levelled,
-                        double maxMountingSlope);
+Interval groundInterval(const VerticalSegment& segment, double maxMountingSlope);
 
 }  // namespace offmap::core
