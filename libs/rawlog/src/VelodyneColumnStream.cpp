@@ -3,6 +3,8 @@
 
 #include <offmap/rawlog/ColumnBuilder.h>
 
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace offmap::rawlog {
@@ -46,15 +48,32 @@ void VelodyneColumnStream::decode(const Scan& obs) {
     progress_.packets = obs.scan_packets.size();
 }
 
-void VelodyneColumnStream::append(const VelodyneColumns& gathered, const Scan& obs,
-                                  TurnScan& out) const {
+/// By their lasers, if there is not more than one return of each: nothing has to be sorted then.
+void VelodyneColumnStream::orderUpward(std::span<uint32_t> returns) {
+    constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
+    const VelodyneReturns& decoded = progress_.decoded;
+    ofLaser_.assign(decoded.upward.size(), none);
+    for (const uint32_t r : returns) {
+        uint32_t& ofLaser = ofLaser_[decoded.lasers[r]];
+        if (ofLaser != none) return;
+        ofLaser = r;
+    }
+    size_t next = 0;
+    for (const uint8_t laser : decoded.upward) {
+        if (ofLaser_[laser] != none) returns[next++] = ofLaser_[laser];
+    }
+}
+
+void VelodyneColumnStream::append(VelodyneColumns gathered, const Scan& obs, TurnScan& out) {
     const mrpt::poses::CPose3D mounting = sensorInVehicle(obs, config_);
     const VelodyneReturns& decoded = progress_.decoded;
     std::vector<ColumnReturn> returns;
     for (const VelodyneColumn& from : gathered.columns) {
         returns.clear();
-        for (uint32_t i = from.begin; i < from.end; ++i) {
-            const uint32_t r = gathered.returns[i];
+        const auto ofColumn =
+            std::span(gathered.returns).subspan(from.begin, from.end - from.begin);
+        orderUpward(ofColumn);
+        for (const uint32_t r : ofColumn) {
             if (!countReturn(out.counts, decoded.points[r])) continue;
             returns.push_back({decoded.points[r], firstSlot_ + decoded.slots[r]});
         }

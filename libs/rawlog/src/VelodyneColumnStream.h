@@ -7,6 +7,10 @@
 
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 namespace offmap::rawlog {
 
 /// A firing is a column, clear as soon as its packet is there. Not before the turn is complete are
@@ -33,12 +37,14 @@ class VelodyneColumnStream final : public ColumnStream {
     };
 
     void decode(const Scan& obs);
-    void append(const VelodyneColumns& gathered, const Scan& obs, TurnScan& out) const;
+    void append(VelodyneColumns gathered, const Scan& obs, TurnScan& out);
+    void orderUpward(std::span<uint32_t> returns);
 
     const PoseSource& poses_;
     const SensorConfig& config_;
     Progress progress_;
-    uint32_t firstSlot_ = 0;  ///< of the observation
+    uint32_t firstSlot_ = 0;         ///< of the observation
+    std::vector<uint32_t> ofLaser_;  ///< working memory: a return each
 };
 
 }  // namespace offmap::rawlog

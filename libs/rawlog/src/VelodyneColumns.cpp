@@ -54,6 +54,10 @@ class Gathering {
 
     /// Of firings [begin, end): the first returns, or the second ones.
     void gather(size_t begin, size_t end, bool second) {
+        if (shifts_.empty()) {
+            for (size_t f = begin; f < end; ++f) gatherFiring(in_.firings[f], second);
+            return;
+        }
         for (size_t f = begin + 1; f <= end; ++f) {
             if (f < end && !endsRun(f)) continue;
             gatherRun(static_cast<long>(begin), static_cast<long>(f), second);
@@ -65,15 +69,24 @@ class Gathering {
 
  private:
     bool endsRun(size_t f) const {
-        return widest_ != 0 && !follows(stepBetween(in_.firings[f - 1], in_.firings[f]), step_);
+        return !follows(stepBetween(in_.firings[f - 1], in_.firings[f]), step_);
+    }
+
+    /// All lasers look where the head does: the firing is a column.
+    void gatherFiring(const VelodyneFiring& firing, bool second) {
+        const auto first = static_cast<uint32_t>(out_.returns.size());
+        const uint32_t begin = second ? firing.second : firing.begin;
+        const uint32_t end = second ? firing.end : firing.second;
+        if (second && begin == end) return;
+        for (uint32_t i = begin; i < end; ++i) out_.returns.push_back(i);
+        out_.columns.push_back({firing.azimuth, firing.time, first, first + (end - begin)});
     }
 
     template <class Use>
     void forEachReturn(long firing, bool second, const Use& use) const {
         const VelodyneFiring& f = in_.firings[static_cast<size_t>(firing)];
         for (uint32_t i = second ? f.second : f.begin; i < (second ? f.end : f.second); ++i) {
-            const long shift = shifts_.empty() ? 0 : shifts_[in_.lasers[i]];
-            use(i, firing - shift);
+            use(i, firing - shifts_[in_.lasers[i]]);
         }
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <mrpt/core/bits_math.h>
 #include <mrpt/core/reverse_bytes.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
@@ -24,6 +25,10 @@ inline uint16_t headerOf(const mrpt::obs::CObservationVelodyneScan::raw_block_t&
 /// [1/100 deg] clockwise
 inline uint16_t rotationOf(const mrpt::obs::CObservationVelodyneScan::raw_block_t& block) {
     return field<uint16_t>(&block, 2);
+}
+
+inline double toRadians(double hundredthsOfDegrees) {
+    return mrpt::DEG2RAD(0.01 * hundredthsOfDegrees);
 }
 
 /// [us] from the full hour

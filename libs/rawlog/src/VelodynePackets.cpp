@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "LaserDirections.h"
 #include "VelodyneFields.h"
 #include "VelodynePoint.h"
 
 #include <offmap/rawlog/VelodyneModel.h>
 #include <offmap/rawlog/VelodynePackets.h>
 
-#include <mrpt/core/bits_math.h>
-
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <optional>
 
 namespace offmap::rawlog {
@@ -19,8 +19,6 @@ using Scan = mrpt::obs::CObservationVelodyneScan;
 using Packet = Scan::TVelodyneRawPacket;
 
 constexpr size_t blocksPerPacket = Scan::BLOCKS_PER_PACKET;
-
-double toRadians(double hundredthsOfDegrees) { return mrpt::DEG2RAD(0.01 * hundredthsOfDegrees); }
 
 /// Median of what the head turns [1/100 deg] from block to block, of those that are `stride` apart.
 double medianStep(const Packet& packet, size_t stride) {
@@ -58,11 +56,16 @@ class Decoder {
           lasers_(calibrationOf(obs, model_)),
           lasersPerBlock_(Scan::SCANS_PER_BLOCK / model_.firingsPerBlock),
           start_(timeOfFirstPacket(obs, decoding.timeReference)),
-          out_(out) {
+          out_(out),
+          directions_(model_, lasers_.size(), out.azimuthCorrections) {
         if (!out_.firings.empty()) return;
         out_.points.reserve(obs.scan_packets.size() * slotsPerPacket);
         out_.slots.reserve(obs.scan_packets.size() * slotsPerPacket);
         out_.lasers.reserve(obs.scan_packets.size() * slotsPerPacket);
+        out_.upward.resize(lasers_.size());
+        std::iota(out_.upward.begin(), out_.upward.end(), uint8_t{0});
+        std::ranges::stable_sort(out_.upward, {},
+                                 [&](uint8_t laser) { return lasers_[laser].sinVertCorrection; });
         const auto turned = [](const auto& laser) { return laser.azimuthCorrection != 0; };
         if (!decoding.correctAzimuth || std::ranges::none_of(lasers_, turned)) return;
         out_.azimuthCorrections.resize(lasers_.size());
@@ -81,7 +84,6 @@ class Decoder {
         size_t packet, block;
         size_t firing;                ///< in the block
         std::optional<size_t> other;  ///< block of its lower bank, or of its strongest returns
-        double rate;                  ///< [1/100 deg / us]
     };
 
     bool isUpper(const Scan::raw_block_t& block) const {
@@ -104,8 +106,7 @@ class Decoder {
         const auto packetTime = start_ + sinceFirstPacket(obs_, packet);
         const bool dual = model_.tellsReturnMode && packet.laser_return_mode == Scan::RETMODE_DUAL;
         const size_t stride = dual || model_.twoBanks ? 2 : 1;
-        const double rate = medianStep(packet, stride) / model_.blockPeriod;
-        findTurns(rate);
+        directions_.setRate(medianStep(packet, stride) / model_.blockPeriod);
         for (size_t b = 0; b < blocksPerPacket; ++b) {
             const size_t first = b, turned = b / stride;
             if (isMangled(packet.blocks[first])) continue;
@@ -117,7 +118,7 @@ class Decoder {
                                     static_cast<double>(f) * model_.firingPeriod;
                 const auto sincePacket = std::chrono::duration<double, std::micro>(late);
                 decodeFiring(
-                    {p, first, f, other, rate},
+                    {p, first, f, other},
                     packetTime + std::chrono::duration_cast<mrpt::Clock::duration>(sincePacket));
             }
         }
@@ -126,29 +127,38 @@ class Decoder {
     void decodeFiring(const Place& place, mrpt::Clock::time_point time) {
         VelodyneFiring firing;
         firing.time = time;
-        firing.azimuth =
-            -toRadians(clockwise(place, 0.5 * static_cast<double>(lasersPerBlock_ - 1)));
+        const double middle = 0.5 * static_cast<double>(lasersPerBlock_ - 1);
+        const double rotation = rotationOf(obs_.scan_packets[place.packet].blocks[place.block]);
+        firing.azimuth = -toRadians(rotation + directions_.turned(place.firing, middle));
         firing.begin = firing.second = pointCount();
         const bool dual = place.other && !model_.twoBanks;
-        for (size_t l = 0; l < lasersPerBlock_; ++l) {
-            const uint16_t last = distance(place, place.block, l);
-            if (last != 0) addReturn(place, place.block, l);
-            if (!dual) continue;
-            const uint16_t strongest = distance(place, *place.other, l);
-            if (strongest != 0 && (last == 0 || last == strongest)) {
-                addReturn(place, *place.other, l);
-            }
+        if (dual) {
+            addEqual(place);
+        } else {
+            addBlock(place, place.block);
+            if (place.other) addBlock(place, *place.other);
         }
-        if (place.other && model_.twoBanks) addLowerBank(place);
         firing.second = pointCount();
         if (dual) addDifferent(place);
         firing.end = pointCount();
         out_.firings.push_back(firing);
     }
 
-    void addLowerBank(const Place& place) {
+    void addBlock(const Place& place, size_t block) {
         for (size_t l = 0; l < lasersPerBlock_; ++l) {
-            if (distance(place, *place.other, l) != 0) addReturn(place, *place.other, l);
+            if (distance(place, block, l) != 0) addReturn(place, block, l);
+        }
+    }
+
+    /// The last returns, and the strongest of lasers that have no other one.
+    void addEqual(const Place& place) {
+        for (size_t l = 0; l < lasersPerBlock_; ++l) {
+            const uint16_t last = distance(place, place.block, l);
+            const uint16_t strongest = distance(place, *place.other, l);
+            if (last != 0) addReturn(place, place.block, l);
+            if (strongest != 0 && (last == 0 || last == strongest)) {
+                addReturn(place, *place.other, l);
+            }
         }
     }
 
@@ -159,33 +169,6 @@ class Decoder {
             const uint16_t strongest = distance(place, *place.other, l);
             if (last != 0 && strongest != 0 && last != strongest) {
                 addReturn(place, *place.other, l);
-            }
-        }
-    }
-
-    /// [us] from the first laser of a block to the l-th one of its firing.
-    double late(size_t firing, double l) const {
-        return static_cast<double>(firing) * model_.firingPeriod + l * model_.laserPeriod;
-    }
-
-    /// [1/100 deg] that the head has turned when it fires the l-th laser of a block.
-    double clockwise(const Place& place, double l) const {
-        return rotationOf(obs_.scan_packets[place.packet].blocks[place.block]) +
-               place.rate * late(place.firing, l);
-    }
-
-    /// What is the same in all blocks of a packet, most often of a scan: how far a laser looks from
-    /// where its block begins. \param rate [1/100 deg / us]
-    void findTurns(double rate) {
-        if (rate == rateOfTurns_) return;
-        rateOfTurns_ = rate;
-        turns_.clear();
-        for (size_t firing = 0; firing < model_.firingsPerBlock; ++firing) {
-            for (size_t laser = 0; laser < lasers_.size(); ++laser) {
-                const auto l = static_cast<double>(laser % Scan::SCANS_PER_BLOCK);
-                double azimuth = toRadians(rate * late(firing, l));
-                if (!out_.azimuthCorrections.empty()) azimuth -= out_.azimuthCorrections[laser];
-                turns_.push_back(Direction::of(azimuth));
             }
         }
     }
@@ -202,7 +185,7 @@ class Decoder {
     void addReturn(const Place& place, size_t block, size_t l) {
         const bool lower = !isUpper(obs_.scan_packets[place.packet].blocks[block]);
         const size_t laser = l + (lower ? Scan::SCANS_PER_BLOCK : 0);
-        const Direction& turn = turns_[place.firing * lasers_.size() + laser];
+        const Direction& turn = directions_.ofFiring(place.firing)[laser];
         const size_t blockOfScan = place.packet * blocksPerPacket + block;
         const size_t slot = blockOfScan * Scan::SCANS_PER_BLOCK + inBlock(place, l);
         out_.points.push_back(
@@ -219,9 +202,8 @@ class Decoder {
     size_t lasersPerBlock_;
     mrpt::Clock::time_point start_;
     VelodyneReturns& out_;
-    Direction ofBlock_;             ///< where the head looks when the block's first laser fires
-    std::vector<Direction> turns_;  ///< from there, per firing of a block and laser
-    std::optional<double> rateOfTurns_;  ///< [1/100 deg / us] that they hold for
+    LaserDirections directions_;  ///< from `ofBlock_` on
+    Direction ofBlock_;           ///< where the head looks when the block's first laser fires
 };
 
 }  // namespace

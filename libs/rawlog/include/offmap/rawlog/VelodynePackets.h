@@ -26,6 +26,7 @@ struct VelodyneReturns {
     std::vector<mrpt::math::TPoint3Df> points;  ///< [m] sensor frame: x forward, y left
     std::vector<uint32_t> slots;                ///< per point: 384 a packet, 32 a block
     std::vector<uint8_t> lasers;                ///< per point: its laser, in firing order
+    std::vector<uint8_t> upward;                ///< the lasers, from the one that looks lowest
     std::vector<VelodyneFiring> firings;
     /// Per laser: [rad] CCW from its firing's azimuth to where it looks; empty if all look there.
     std::vector<double> azimuthCorrections;
