@@ -34,13 +34,14 @@ TEST(ColumnBuilder, mountingUpsideDownMirrorsAzimuths) {
     EXPECT_NEAR(azimuthInVehicle(0.5, CPose3D(0, 0, 0, 0, 0, M_PI)), -0.5, 1e-12);
 }
 
-/// Returns 1 degree above each other, at ranges of their own.
-std::vector<TPoint3Df> upwardReturns(size_t count, const CPose3D& sensorInVehicle) {
+/// Returns some degrees above each other, at ranges of their own.
+std::vector<TPoint3Df> upwardReturns(size_t count, const CPose3D& sensorInVehicle,
+                                     double step_deg = 1) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> range(1, 40);
     std::vector<TPoint3Df> points;
     for (size_t i = 0; i < count; ++i) {
-        const double r = range(random), elevation = mrpt::DEG2RAD(static_cast<double>(i) - 30.0);
+        const double r = range(random), elevation = mrpt::DEG2RAD(step_deg * double(i) - 30.0);
         const mrpt::math::TVector3D inVehicle(r * std::cos(elevation), 0, r * std::sin(elevation));
         points.emplace_back(TPoint3Df(sensorInVehicle.inverseRotateVector(inVehicle)));
     }
@@ -102,6 +103,40 @@ TEST(ColumnBuilder, aSingleReturnOutOfOrderIsNoticedWhereverItStands) {
             points[i + 1] = points[i];  // and one that repeats the one below
             BothWays(points, {}).expectNothingDone();
         }
+    }
+}
+
+TEST(ColumnBuilder, longColumnsAreLookedThroughToTheirEnd) {
+    const auto inOrder = upwardReturns(1000, {}, 0.09);
+    BothWays(inOrder, {}).expectTheSame();
+    for (const size_t i : {0, 254, 255, 256, 509, 510, 511, 998}) {
+        SCOPED_TRACE(i);
+        auto points = inOrder;
+        std::swap(points[i], points[i + 1]);
+        const BothWays both(points, {});
+        both.expectNothingDone();
+        EXPECT_EQ(both.sorted.scan.points, inOrder);
+    }
+}
+
+TEST(ColumnBuilder, returnsThatAreHardlyAboveEachOtherAreSortedExactly) {
+    // 1e-7 rad above each other: too little to be told quickly, enough to be told.
+    for (const float above : {1e-6F, -1e-6F}) {
+        const std::vector<TPoint3Df> points{{10, 0, 0}, {10, 0, above}, {10, 0, 1}};
+        const BothWays both(points, {});
+        both.expectNothingDone();
+        EXPECT_EQ(both.sorted.scan.points[above > 0 ? 0 : 1], points[0]);
+        EXPECT_EQ(both.sorted.scan.points[above > 0 ? 1 : 0], points[1]);
+    }
+}
+
+TEST(ColumnBuilder, rangesThatFloatsCannotSquareAreSortedAsOthers) {
+    for (const float far : {1e25F, 1e-25F}) {
+        const std::vector<TPoint3Df> points{{far, 0, far}, {far, 0, 0}, {far, 0, -far}};
+        const BothWays both(points, {});
+        both.expectNothingDone();
+        EXPECT_EQ(both.sorted.scan.points,
+                  (std::vector<TPoint3Df>{points.rbegin(), points.rend()}));
     }
 }
 

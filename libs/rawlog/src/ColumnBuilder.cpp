@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ElevationOrder.h"
 
+#include <offmap/core/ByProcessor.h>
 #include <offmap/rawlog/ColumnBuilder.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -14,10 +15,18 @@ namespace {
 
 /// Whether returns stand in order, once those that stand from top to bottom are turned round.
 bool turnUpward(std::span<ColumnReturn> returns, const Upwards& up) {
-    if (standUpward(returns, up)) return true;
-    if (!standUpward(returns, up.reversed())) return false;
-    std::reverse(returns.begin(), returns.end());
-    return true;
+    const ElevationOrder order = elevationOrderOf(returns, up);
+    if (order == ElevationOrder::Downward) std::reverse(returns.begin(), returns.end());
+    return order != ElevationOrder::Mixed;
+}
+
+OFFMAP_BY_PROCESSOR void copyPoints(const CloudPoints& from, mrpt::math::TPoint3Df* __restrict to) {
+    const float *x = from.x.data(), *y = from.y.data(), *z = from.z.data();
+    for (size_t i = 0; i < from.size(); ++i) {
+        to[i].x = x[i];
+        to[i].y = y[i];
+        to[i].z = z[i];
+    }
 }
 
 }  // namespace
@@ -47,18 +56,23 @@ void appendColumn(TurnScan& out, core::ScanColumn column,
     const bool inOrder = turnUpward(returns, up);
     if (!inOrder) sortUpward(returns, up);
 
-    column.begin = static_cast<uint32_t>(out.scan.points.size());
+    const auto begin = static_cast<uint32_t>(out.scan.points.size());
+    out.scan.points.resize(begin + returns.size());
+    out.scan.sourceIndex.resize(begin + returns.size());
+    uint32_t end = begin;
     for (const ColumnReturn& r : returns) {
-        if (!inOrder && out.scan.points.size() > column.begin &&
-            out.scan.points.back() == r.point) {
+        if (!inOrder && end > begin && out.scan.points[end - 1] == r.point) {
             ++out.counts.duplicates;
-            out.duplicates.push_back({r.slot, static_cast<uint32_t>(out.scan.points.size() - 1)});
+            out.duplicates.push_back({r.slot, end - 1});
             continue;
         }
-        out.scan.points.push_back(r.point);
-        out.scan.sourceIndex.push_back(r.slot);
+        out.scan.points[end] = r.point;
+        out.scan.sourceIndex[end++] = r.slot;
     }
-    column.end = static_cast<uint32_t>(out.scan.points.size());
+    out.scan.points.resize(end);
+    out.scan.sourceIndex.resize(end);
+    column.begin = begin;
+    column.end = end;
     out.scan.columns.push_back(column);
 }
 
@@ -66,18 +80,17 @@ bool appendColumnInOrder(TurnScan& out, core::ScanColumn column,
                          const mrpt::poses::CPose3D& sensorInVehicle, const CloudPoints& points,
                          const PointSlots& slots, uint32_t begin, uint32_t end) {
     const CloudPoints ofColumn = points.subspan(begin, end - begin);
-    const Upwards up(sensorInVehicle);
-    const bool upward = standUpward(ofColumn, up);
-    if (!upward && !standUpward(ofColumn, up.reversed())) return false;
+    const ElevationOrder order = elevationOrderOf(ofColumn, Upwards(sensorInVehicle));
+    if (order == ElevationOrder::Mixed) return false;
 
     const size_t before = out.scan.points.size();
     out.scan.points.resize(before + ofColumn.size());
     out.scan.sourceIndex.resize(before + ofColumn.size());
     const auto copied = std::span(out.scan.points).subspan(before);
     const auto slot = std::span(out.scan.sourceIndex).subspan(before);
-    for (size_t i = 0; i < ofColumn.size(); ++i) copied[i] = ofColumn[i];
+    copyPoints(ofColumn, copied.data());
     for (uint32_t i = begin; i < end; ++i) slot[i - begin] = slots[i];
-    if (!upward) {
+    if (order == ElevationOrder::Downward) {
         std::ranges::reverse(copied);
         std::ranges::reverse(slot);
     }

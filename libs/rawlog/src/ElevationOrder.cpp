@@ -2,57 +2,59 @@
 #include "ElevationOrder.h"
 
 #include <offmap/core/ByProcessor.h>
-#include <offmap/core/Lanes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace offmap::rawlog {
 
-using core::DoubleLanes, core::doubleLaneCount;
 using mrpt::math::TPoint3Df;
 
 namespace {
 
-/// Elevation of returns, one or as many as there are lanes, told without a division.
-template <class Numbers>
-struct Elevation {
-    [[gnu::always_inline]] Elevation(const float* xs, const float* ys, const float* zs,
-                                     const Upwards& up) {
-        Numbers x, y, z;
-        core::load(xs, x);
-        core::load(ys, y);
-        core::load(zs, z);
-        const Numbers height = up.x * x + up.y * y + up.z * z;
-        squaredHeight = height * (height < 0 ? -height : height);
-        squaredRange = x * x + y * y + z * z;
+/// Returns that are looked at together.
+constexpr size_t blockSize = 256;
+
+/// Sines of elevations. \param pointAt(i) \param sines room for as many
+template <class PointAt>
+[[gnu::always_inline]] inline void findSines(size_t count, const Upwards& up,
+                                             const PointAt& pointAt, float* sines) {
+    const auto upX = static_cast<float>(up.x), upY = static_cast<float>(up.y),
+               upZ = static_cast<float>(up.z);
+    for (size_t i = 0; i < count; ++i) {
+        const TPoint3Df p = pointAt(i);
+        sines[i] =
+            (upX * p.x + upY * p.y + upZ * p.z) / std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
     }
-    Elevation(const TPoint3Df& p, const Upwards& up) : Elevation(&p.x, &p.y, &p.z, up) {}
-    /// Of returns of a cloud, from one on.
-    [[gnu::always_inline]] Elevation(const CloudPoints& points, size_t i, const Upwards& up)
-        : Elevation(points.x.data() + i, points.y.data() + i, points.z.data() + i, up) {}
-    /// Of those behind the first of `here`.
-    [[gnu::always_inline]] Elevation(const Elevation& here, const Elevation& more)
-        : squaredHeight(
-              __builtin_shufflevector(here.squaredHeight, more.squaredHeight, 1, 2, 3, 4)),
-          squaredRange(__builtin_shufflevector(here.squaredRange, more.squaredRange, 1, 2, 3, 4)) {}
+}
 
-    Numbers squaredHeight, squaredRange;  ///< [m^2] that of the height with its sign
-};
-
-/// How returns stand to those before them; compares products in place of ratios.
-template <class Numbers>
-struct Step {
-    [[gnu::always_inline]] Step(const Elevation<Numbers>& from, const Elevation<Numbers>& to) {
-        constexpr double rounding = 1e-12;
-        upwards = to.squaredHeight * from.squaredRange - from.squaredHeight * to.squaredRange -
-                  rounding * from.squaredRange * to.squaredRange;
+template <class PointAt>
+[[gnu::always_inline]] inline ElevationOrder orderOf(size_t count, const Upwards& up,
+                                                     const PointAt& pointAt) {
+    constexpr float clearly = 4e-6F;  // [-] three times what rounding can do to two sines
+    float sines[blockSize];
+    uint32_t notUpward = 0, notDownward = 0;
+    for (size_t first = 0; first + 1 < count; first += blockSize - 1) {  // blocks share a return
+        const size_t size = std::min(blockSize, count - first);
+        findSines(
+            size, up, [&](size_t i) { return pointAt(first + i); }, sines);
+        for (size_t i = 0; i + 1 < size; ++i) {
+            const float rise = sines[i + 1] - sines[i];
+            notUpward += !(rise > clearly);  // so, too, if it is not a number
+            notDownward += !(rise < -clearly);
+        }
     }
-    Numbers upwards;  ///< [m^4] above 0 if rounding cannot make it look otherwise
-};
+    return notUpward == 0     ? ElevationOrder::Upward
+           : notDownward == 0 ? ElevationOrder::Downward
+                              : ElevationOrder::Mixed;
+}
 
-bool isAbove(const TPoint3Df& p, const TPoint3Df& other, const Upwards& up) {
-    return Step(Elevation<double>(other, up), Elevation<double>(p, up)).upwards > 0;
+/// [-] Square of the elevation's sine, with its sign.
+double squaredSineOf(const TPoint3Df& p, const Upwards& up) {
+    const double x = p.x, y = p.y, z = p.z;
+    const double height = up.x * x + up.y * y + up.z * z;
+    return height * std::abs(height) / (x * x + y * y + z * z);
 }
 
 struct Below {  // a type, so that what sorts knows it
@@ -68,45 +70,17 @@ struct Below {  // a type, so that what sorts knows it
 
 }  // namespace
 
-OFFMAP_BY_PROCESSOR bool standUpward(const CloudPoints& returns, const Upwards& up) {
-    using Elevations = Elevation<DoubleLanes>;
-    const size_t count = returns.size();
-    if (count <= doubleLaneCount) {
-        bool upward = true;
-        for (size_t i = 1; i < count; ++i) upward &= isAbove(returns[i], returns[i - 1], up);
-        return upward;
-    }
-    DoubleLanes least = DoubleLanes{} + 1;
-    const auto add = [&least](const Elevations& before, const Elevations& next) {
-        const DoubleLanes upwards = Step(before, next).upwards;
-        least = upwards < least ? upwards : least;
-    };
-    size_t from = 0;
-    Elevations here(returns, 0, up);
-    for (; from + 2 * doubleLaneCount <= count; from += doubleLaneCount) {
-        const Elevations more(returns, from + doubleLaneCount, up);
-        add(here, Elevations(here, more));
-        here = more;
-    }
-    for (; from + 1 < count; from += doubleLaneCount) {  // some steps twice
-        const size_t i = std::min(from, count - 1 - doubleLaneCount);
-        add(Elevations(returns, i, up), Elevations(returns, i + 1, up));
-    }
-    return !core::any(least <= 0);
+OFFMAP_BY_PROCESSOR ElevationOrder elevationOrderOf(const CloudPoints& returns, const Upwards& up) {
+    const float *x = returns.x.data(), *y = returns.y.data(), *z = returns.z.data();
+    return orderOf(returns.size(), up, [=](size_t i) { return TPoint3Df(x[i], y[i], z[i]); });
 }
 
-bool standUpward(std::span<const ColumnReturn> returns, const Upwards& up) {
-    for (size_t i = 1; i < returns.size(); ++i) {
-        if (!isAbove(returns[i].point, returns[i - 1].point, up)) return false;
-    }
-    return true;
+ElevationOrder elevationOrderOf(std::span<const ColumnReturn> returns, const Upwards& up) {
+    return orderOf(returns.size(), up, [&](size_t i) { return returns[i].point; });
 }
 
 void sortUpward(std::span<ColumnReturn> returns, const Upwards& up) {
-    for (ColumnReturn& r : returns) {
-        const Elevation<double> elevation(r.point, up);
-        r.squaredSine = elevation.squaredHeight / elevation.squaredRange;
-    }
+    for (ColumnReturn& r : returns) r.squaredSine = squaredSineOf(r.point, up);
     std::sort(returns.begin(), returns.end(), Below());
 }
 

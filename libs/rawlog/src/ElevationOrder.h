@@ -16,19 +16,16 @@ struct Upwards {
         const auto& rotation = sensorInVehicle.getRotationMatrix();
         x = rotation(2, 0), y = rotation(2, 1), z = rotation(2, 2);
     }
-    /// What is lower is then above.
-    Upwards reversed() const {
-        Upwards other(*this);
-        other.x = -x, other.y = -y, other.z = -z;
-        return other;
-    }
     double x, y, z;
 };
 
-/// Whether each return of a column is clearly above the one before, so that rounding cannot make it
-/// look otherwise. Told quickly. \pre there is one; all are finite
-bool standUpward(const CloudPoints& returns, const Upwards& up);
-bool standUpward(std::span<const ColumnReturn> returns, const Upwards& up);
+/// How the returns of a column follow each other.
+enum class ElevationOrder { Upward, Downward, Mixed };
+
+/// Upward or downward only if each return is clearly above the one before, or below it, so that
+/// rounding cannot make it look otherwise. Told quickly. \pre there is one; all are finite
+ElevationOrder elevationOrderOf(const CloudPoints& returns, const Upwards& up);
+ElevationOrder elevationOrderOf(std::span<const ColumnReturn> returns, const Upwards& up);
 
 /// Sorts the returns of a column by elevation, those at one elevation by range.
 void sortUpward(std::span<ColumnReturn> returns, const Upwards& up);

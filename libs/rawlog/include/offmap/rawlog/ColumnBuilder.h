@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct ColumnReturn {
 
 /// Counts what stands in a slot. \return true if it is a return: finite and not the origin
 inline bool countReturn(ReturnCounts& counts, const mrpt::math::TPoint3Df& point) {
+    const float size = std::abs(point.x) + std::abs(point.y) + std::abs(point.z);
+    if (size > 0 && size <= std::numeric_limits<float>::max()) {  // so it is mostly
+        ++counts.returns;
+        return true;
+    }
     if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
         ++counts.nonFinite;
         return false;
