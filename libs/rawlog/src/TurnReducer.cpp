@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <offmap/core/ByProcessor.h>
 #include <offmap/rawlog/Observations.h>
 #include <offmap/rawlog/RefinedPose.h>
 #include <offmap/rawlog/TurnReducer.h>
@@ -13,28 +14,33 @@ using Steady = std::chrono::steady_clock;
 
 namespace {
 
-/// Per point, the returns that it stands for: itself and those that repeat it.
-std::vector<uint64_t> returnsPerPoint(const TurnScan& turn) {
-    std::vector<uint64_t> returns(turn.scan.points.size(), 1);
-    for (const DuplicateReturn& duplicate : turn.duplicates) ++returns[duplicate.point];
-    return returns;
+OFFMAP_BY_PROCESSOR uint32_t countRemoved(std::span<const core::PointLabel> labels) {
+    uint32_t removed = 0;
+    for (const core::PointLabel label : labels) removed += core::isRemoved(label);
+    return removed;
 }
 
-/// Counts the returns of each segment, and those removed. \return all that were removed
+/// Counts the returns of each segment, and those removed: its points, and what repeats them.
+/// \return all that were removed
 uint64_t countReturns(const core::ReductionResult& result, ReducedTurn& out) {
-    const std::vector<uint64_t> returns = returnsPerPoint(out.organized);
-    const auto removedOf = [&](size_t i) { return isRemoved(result.labels[i]) ? returns[i] : 0; };
+    const std::span<const core::PointLabel> labels = result.labels;
     for (const core::VerticalSegment& segment : result.segments) {
-        uint64_t all = 0, removed = 0;
-        for (uint32_t i = segment.begin; i < segment.end; ++i) {
-            all += returns[i];
-            removed += removedOf(i);
-        }
-        out.returnsPerSegment.push_back(all);
-        out.removedPerSegment.push_back(removed);
+        const auto own = labels.subspan(segment.begin, segment.end - segment.begin);
+        out.returnsPerSegment.push_back(own.size());
+        out.removedPerSegment.push_back(countRemoved(own));
     }
-    uint64_t removed = 0;
-    for (size_t i = 0; i < returns.size(); ++i) removed += removedOf(i);
+    uint64_t removed = countRemoved(labels);
+    for (const DuplicateReturn& duplicate : out.organized.duplicates) {
+        const bool isRemoved = core::isRemoved(labels[duplicate.point]);
+        removed += isRemoved;
+        const auto behind = std::ranges::upper_bound(result.segments, duplicate.point, {},
+                                                     &core::VerticalSegment::begin);
+        if (behind == result.segments.begin() || std::prev(behind)->end <= duplicate.point)
+            continue;
+        const auto s = static_cast<size_t>(std::prev(behind) - result.segments.begin());
+        ++out.returnsPerSegment[s];
+        out.removedPerSegment[s] += isRemoved;
+    }
     return removed;
 }
 
@@ -76,11 +82,26 @@ void record(const core::ReductionResult& result, ReducedTurn& turn) {
     out.removedByPoint += offSegments;
 }
 
+/// Marks what is removed of one column. Mostly, its slots are numbered on: then in one go.
+OFFMAP_BY_PROCESSOR void markRemoved(const uint32_t* slots, const core::PointLabel* labels,
+                                     uint32_t count, uint8_t* removed) {
+    uint32_t elsewhere = 0;
+    for (uint32_t i = 0; i < count; ++i) elsewhere += slots[i] != slots[0] + i;
+    if (elsewhere == 0) {
+        uint8_t* __restrict ofColumn = removed + slots[0];
+        for (uint32_t i = 0; i < count; ++i) ofColumn[i] = core::isRemoved(labels[i]);
+        return;
+    }
+    for (uint32_t i = 0; i < count; ++i) removed[slots[i]] = core::isRemoved(labels[i]);
+}
+
 std::vector<uint8_t> removedSlots(const TurnScan& turn, const core::ReductionResult& result,
                                   size_t slots) {
     std::vector<uint8_t> removed(slots, 0);
-    for (size_t i = 0; i < result.labels.size(); ++i) {
-        removed[turn.scan.sourceIndex[i]] = core::isRemoved(result.labels[i]);
+    for (const core::ScanColumn& column : turn.scan.columns) {
+        if (column.begin == column.end) continue;
+        markRemoved(turn.scan.sourceIndex.data() + column.begin,
+                    result.labels.data() + column.begin, column.end - column.begin, removed.data());
     }
     for (const DuplicateReturn& duplicate : turn.duplicates) {
         removed[duplicate.slot] = removed[turn.scan.sourceIndex[duplicate.point]];
