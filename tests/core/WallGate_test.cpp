@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace offmap::core {
 
@@ -97,6 +98,37 @@ TEST(WallGate, isNeverWiderThanThirtyCentimetres) {
     lost.covariance(0, 0) = 1;
     EXPECT_EQ(matchAt(3.75, wallAhead(), lost).verdict, Verdict::MappedByRay);
     EXPECT_EQ(matchAt(3.65, wallAhead(), lost).verdict, Verdict::Kept);
+}
+
+TEST(WallGate, isTheSameWithoutRoots) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> place(-4, 4), small(-0.1, 0.1), noise(1e-6, 0.01);
+    int within = 0, beyondAnEnd = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        Wall wall{.line = {{place(random), place(random)}, {place(random), place(random)}}};
+        if (i % 4 == 0) wall.curvature = place(random) / (2.1 * wall.line.length() + 4);
+        PoseCorrection correction;
+        Matrix5 root;
+        for (int k = 0; k < 25; ++k) root(k) = small(random);
+        for (int k = 0; k < 5; ++k) correction.mean[k] = small(random);
+        correction.covariance = root * root.transpose();
+        const CorrectedColumn column(correction, {{small(random), small(random)}, {0.6, 0.8}});
+        const SeenPoint point{{place(random), place(random)}, place(random)};
+        const double variance = noise(random), gate = 3;
+        const TPoint2D beam = point.ground * (1 / point.ground.norm());
+        const WallOffset offset = offsetFrom(wall, correction, column, point, beam, variance);
+        constexpr double rounding = 1e-9;
+        if (std::abs(offset.distance - gate * offset.sigma) < rounding) continue;
+        const bool expected = offset.distance <= gate * offset.sigma;
+        EXPECT_EQ(isWithinGate(wall, correction, column, point, variance, gate), expected);
+        within += expected;
+        beyondAnEnd += expected && offset.distance > std::abs(offset.behind) + rounding;
+    }
+    EXPECT_GT(within, 2000);
+    EXPECT_GT(beyondAnEnd, 200);
+    const Wall wall{.line = {{0, -1}, {0, 1}}};  // through the sensor
+    const PoseCorrection exact;
+    EXPECT_TRUE(isWithinGate(wall, exact, {exact, {{0, 0}, {1, 0}}}, {{0, 0}, 0}, 1e-4, 3));
 }
 
 }  // namespace offmap::core

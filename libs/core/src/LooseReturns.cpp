@@ -94,8 +94,7 @@ class ColumnAtWalls {
             const RemovedWall& removed = scratch_.near[i];
             if (z < removed.low + edge || z > removed.high - edge) continue;
             if (isFarFrom(i, point)) continue;
-            const WallOffset offset = offsets_.of(point, column_, removed.wall);
-            if (offset.distance <= offsets_.config().gate * offset.sigma) return true;
+            if (offsets_.isAt(removed.wall, point, column_)) return true;
         }
         return false;
     }

@@ -55,6 +55,29 @@ WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction,
             across};
 }
 
+bool isWithinGate(const Wall& wall, const PoseCorrection& correction, const CorrectedColumn& column,
+                  const SeenPoint& point, double noise, double gate) {
+    const double squaredRange = point.ground.sqrNorm();
+    if (wall.curvature != 0 || squaredRange == 0) {
+        const TPoint2D beam =
+            squaredRange > 0 ? point.ground * (1 / std::sqrt(squaredRange)) : TPoint2D(1, 0);
+        const WallOffset offset = offsetFrom(wall, correction, column, point, beam, noise);
+        return offset.distance <= gate * offset.sigma;
+    }
+    // All is told times the wall's length, or its square.
+    const TPoint2D along = wall.line.point2 - wall.line.point1, normal(-along.y, along.x);
+    const double squaredLength = along.sqrNorm();
+    const TPoint2D from = column.place(point) - wall.line.point1;
+    const double behind = dot(normal, from), share = dot(along, from);
+    const double beyond = std::max({-share, share - squaredLength, 0.0});
+    const double across = dot(normal, point.ground);
+    const Vector5 gradient = column.gradient(point, normal);
+    const double variance = gradient.dot(correction.covariance * gradient) +
+                            squaredLength * wall.sigma * wall.sigma +
+                            across * across / squaredRange * noise;
+    return behind * behind + beyond * beyond <= gate * gate * variance;
+}
+
 namespace {
 
 /// What a ray through the segment tells of one that stands on no wall.

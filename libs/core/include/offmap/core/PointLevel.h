@@ -36,8 +36,8 @@ class ReturnOffsets {
     double z(uint32_t point) const { return levelled_.z[point]; }
     double groundRange(uint32_t point) const { return levelled_.range[point]; }  ///< [m]
 
-    /// \param column of the return
-    WallOffset of(uint32_t point, const CorrectedColumn& column, uint32_t wall) const;
+    /// Whether a return stands at a wall, within the gate. \param column of the return
+    bool isAt(uint32_t wall, uint32_t point, const CorrectedColumn& column) const;
 
     /// [m] Of a return's range.
     double sigmaRange(uint32_t point) const {

@@ -29,6 +29,11 @@ WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction,
                       const CorrectedColumn& column, const SeenPoint& point,
                       const mrpt::math::TPoint2D& beam, double noise);
 
+/// Whether a place that a column sees is within so many sigmas of a wall. What offsetFrom() tells
+/// of it, without its roots. \param noise [m^2] variance of the place along the beam
+bool isWithinGate(const Wall& wall, const PoseCorrection& correction, const CorrectedColumn& column,
+                  const SeenPoint& point, double noise, double gate);
+
 /// Matches a segment to the wall nearest to where the corrected pose puts it; it is mapped if it
 /// stands within the gate. \param turn of the correction
 SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
