@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "LaneExtent.h"
+
 #include <offmap/core/Lanes.h>
 #include <offmap/core/LineFit.h>
 #include <offmap/core/PlanePoints.h>
@@ -26,6 +28,7 @@ class OffsetsFromLine {
         float alongX, alongY;  ///< a vector along it
         float length;          ///< of that; only used with slack
     };
+
     /// \param slack [m] per point, or empty
     OffsetsFromLine(const PlanePoints& points, std::span<const float> slack, const ScaledLine& line)
         : points_{points.x.data(), points.y.data(), slack.empty() ? nullptr : slack.data(),
@@ -36,7 +39,11 @@ class OffsetsFromLine {
           squaredLength_(line.squaredLength) {}
 
     /// \param limit [m]
-    bool anyBeyond(double limit) const;
+    bool anyBeyond(double limit) const {
+        const auto [offsets] =
+            extentsOf<1>(points_.count, [&](uint32_t i, auto& numbers) { of(i, numbers[0]); });
+        return isBeyond(offsets.greatest, limit);
+    }
 
     /// \param offset of a point; \param limit [m]
     bool isBeyond(float offset, double limit) const {
@@ -44,23 +51,23 @@ class OffsetsFromLine {
         return beyond * beyond > limit * limit * squaredLength_;
     }
 
-    /// Of one point.
-    float of(uint32_t point) const {
-        const float off = (points_.y[point] - line_.y) * line_.alongX -
-                          (points_.x[point] - line_.x) * line_.alongY;
-        return (off < 0 ? -off : off) - (points_.slack ? points_.slack[point] * line_.length : 0);
-    }
-    /// Of the points from one on.
-    [[gnu::always_inline]] void of(uint32_t first, Lanes& offsets) const {
-        Lanes x, y;
+    /// Of one point, or of as many from there on as there are lanes.
+    template <class Numbers>
+    [[gnu::always_inline]] void of(uint32_t first, Numbers& offsets) const {
+        Numbers x, y;
         load(points_.x + first, x);
         load(points_.y + first, y);
-        const Lanes off = (y - line_.y) * line_.alongX - (x - line_.x) * line_.alongY;
+        const Numbers off = (y - line_.y) * line_.alongX - (x - line_.x) * line_.alongY;
         offsets = off > -off ? off : -off;
         if (!points_.slack) return;
-        Lanes slack;
+        Numbers slack;
         load(points_.slack + first, slack);
         offsets -= slack * line_.length;
+    }
+    float of(uint32_t point) const {
+        float offset;
+        of(point, offset);
+        return offset;
     }
     uint32_t count() const { return points_.count; }
 
@@ -69,25 +76,6 @@ class OffsetsFromLine {
     Line line_;
     double squaredLength_;
 };
-
-/// The greatest offset of any point. Blocks follow each other; the last one ends with the points,
-/// so it may overlap the one before. \pre there are points
-inline float greatestOf(const OffsetsFromLine& of) {
-    if (of.count() < laneCount) {
-        float most = of.of(0);
-        for (uint32_t i = 1; i < of.count(); ++i) most = std::max(most, of.of(i));
-        return most;
-    }
-    const uint32_t last = of.count() - laneCount;
-    Lanes most, offsets;
-    of.of(last, most);
-    for (uint32_t i = 0; i < last; i += laneCount) {
-        of.of(i, offsets);
-        most = offsets > most ? offsets : most;
-    }
-    spreadGreatest(most);
-    return most[0];
-}
 
 /// Which point is furthest off. Each lane has one of its own until that is asked for.
 class FurthestFromLine {
@@ -143,9 +131,5 @@ class FurthestFromLine {
     Lanes offsets_, greatest_;
     LaneNumbers points_;
 };
-
-inline bool OffsetsFromLine::anyBeyond(double limit) const {
-    return isBeyond(greatestOf(*this), limit);
-}
 
 }  // namespace offmap::core

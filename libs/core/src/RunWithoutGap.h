@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "LaneExtent.h"
+
 #include <offmap/core/Lanes.h>
 #include <offmap/core/PlanePoints.h>
 
@@ -8,10 +10,22 @@
 
 namespace offmap::core {
 
+/// [m^2] Of the step from a point to the next, or from as many points as there are lanes.
+template <class Numbers>
+[[gnu::always_inline]] inline void squaredSteps(const float* x, const float* y, Numbers& squares) {
+    Numbers x0, x1, y0, y1;
+    load(x, x0);
+    load(x + 1, x1);
+    load(y, y0);
+    load(y + 1, y1);
+    squares = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0);
+}
+
 /// Whether the step from a point to the next is too wide. \param x, y of both
 inline bool isGap(const float* x, const float* y, float squaredGap) {
-    const float stepX = x[1] - x[0], stepY = y[1] - y[0];
-    return stepX * stepX + stepY * stepY > squaredGap;
+    float square;
+    squaredSteps(x, y, square);
+    return square > squaredGap;
 }
 
 /// Whether the step behind a point is above maxGap [m].
@@ -20,36 +34,14 @@ inline bool isGapBehind(const PlanePoints& points, uint32_t before, double maxGa
                  static_cast<float>(maxGap * maxGap));
 }
 
-/// [m^2] Of the steps from as many points as there are lanes, each to the next.
-[[gnu::always_inline]] inline void squaredSteps(const float* x, const float* y, Lanes& squares) {
-    Lanes x0, x1, y0, y1;
-    load(x, x0);
-    load(x + 1, x1);
-    load(y, y0);
-    load(y + 1, y1);
-    squares = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0);
-}
-
 /// Whether any of the steps between neighbours is above maxGap [m]: of most columns, none is.
 inline bool hasGap(const PlanePoints& points, double maxGap) {
-    const float *x = points.x.data(), *y = points.y.data();
-    const auto squaredGap = static_cast<float>(maxGap * maxGap);
     const auto size = static_cast<uint32_t>(points.size());
-    if (size <= laneCount) {
-        for (uint32_t i = 1; i < size; ++i) {
-            if (isGap(x + i - 1, y + i - 1, squaredGap)) return true;
-        }
-        return false;
-    }
-    const uint32_t last = size - 1 - laneCount;  // the last block may overlap the one before
-    Lanes widest, squares;
-    squaredSteps(x + last, y + last, widest);
-    for (uint32_t i = 0; i < last; i += laneCount) {
-        squaredSteps(x + i, y + i, squares);
-        widest = squares > widest ? squares : widest;
-    }
-    spreadGreatest(widest);
-    return widest[0] > squaredGap;
+    if (size < 2) return false;
+    const auto [steps] = extentsOf<1>(size - 1, [&](uint32_t i, auto& squares) {
+        squaredSteps(points.x.data() + i, points.y.data() + i, squares[0]);
+    });
+    return steps.greatest > static_cast<float>(maxGap * maxGap);
 }
 
 /// Where the points that lead up to `end` with no step above maxGap [m] begin.

@@ -34,6 +34,14 @@ void predict(double behind, double sigma, double across, double gate, SegmentMat
         Interval::around(match.measured.centre() - behind / across, gate * sigma / across);
 }
 
+/// [m^2] Of how far a place stands off a wall: pose, map and noise. All is told times the squared
+/// length of the normal that the gradient goes by.
+double varianceAcross(const Wall& wall, const PoseCorrection& correction, const Vector5& gradient,
+                      double squaredNormal, double noise) {
+    return gradient.dot(correction.covariance * gradient) +
+           squaredNormal * wall.sigma * wall.sigma + noise;
+}
+
 }  // namespace
 
 double varianceOfSight(const WallSight& sight, const TPoint2D& normal,
@@ -49,8 +57,7 @@ WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction,
     const TPoint2D normal = normalAwayFrom(beam, wall, place);
     const Vector5 gradient = column.gradient(point, normal);
     const double across = dot(normal, beam);
-    const double variance = gradient.dot(correction.covariance * gradient) +
-                            wall.sigma * wall.sigma + across * across * noise;
+    const double variance = varianceAcross(wall, correction, gradient, 1, across * across * noise);
     return {distanceBehind(place, wall, normal), distanceTo(wall, place), std::sqrt(variance),
             across};
 }
@@ -72,9 +79,8 @@ bool isWithinGate(const Wall& wall, const PoseCorrection& correction, const Corr
     const double beyond = std::max({-share, share - squaredLength, 0.0});
     const double across = dot(normal, point.ground);
     const Vector5 gradient = column.gradient(point, normal);
-    const double variance = gradient.dot(correction.covariance * gradient) +
-                            squaredLength * wall.sigma * wall.sigma +
-                            across * across / squaredRange * noise;
+    const double variance = varianceAcross(wall, correction, gradient, squaredLength,
+                                           across * across / squaredRange * noise);
     return behind * behind + beyond * beyond <= gate * gate * variance;
 }
 

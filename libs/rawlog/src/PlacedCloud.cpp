@@ -4,8 +4,6 @@
 #include <offmap/rawlog/ColumnBuilder.h>
 #include <offmap/rawlog/PlacedCloud.h>
 
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -18,8 +16,7 @@ namespace {
 OFFMAP_BY_PROCESSOR bool areReturns(const CloudPoints& points) {
     uint32_t others = 0;
     for (size_t i = 0; i < points.size(); ++i) {
-        const float sum = std::abs(points.x[i]) + std::abs(points.y[i]) + std::abs(points.z[i]);
-        others += !((0 < sum) & (sum <= std::numeric_limits<float>::max()));
+        others += !isClearlyReturn(points.x[i], points.y[i], points.z[i]);
     }
     return others == 0;
 }

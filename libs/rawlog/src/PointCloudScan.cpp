@@ -60,7 +60,7 @@ void copyChosen(const CPointsMap& map, std::span<const SlotRun> runs, CPointsMap
     }
 }
 
-/// The same for what most scanners give, in a third of the time.
+/// The same for what most scanners give, without a list of channels for each point.
 void copyChosen(const CPointsMapXYZI& map, std::span<const SlotRun> runs, CPointsMapXYZI& chosen) {
     const CloudPoints points = pointsOf(map);
     const std::span<const float> intensities = map.getPointsBufferRef_intensity();

@@ -4,7 +4,6 @@
 #include <offmap/rawlog/ColumnBuilder.h>
 
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace offmap::rawlog {

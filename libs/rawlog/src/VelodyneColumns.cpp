@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace offmap::rawlog {
 
@@ -36,6 +37,11 @@ double usualStep(const std::vector<VelodyneFiring>& firings) {
         ++count;
     }
     return sum / count;
+}
+
+/// Half-open, of its first returns or its second ones.
+std::pair<uint32_t, uint32_t> rangeOf(const VelodyneFiring& firing, bool second) {
+    return second ? std::pair(firing.second, firing.end) : std::pair(firing.begin, firing.second);
 }
 
 class Gathering {
@@ -75,8 +81,7 @@ class Gathering {
     /// All lasers look where the head does: the firing is a column.
     void gatherFiring(const VelodyneFiring& firing, bool second) {
         const auto first = static_cast<uint32_t>(out_.returns.size());
-        const uint32_t begin = second ? firing.second : firing.begin;
-        const uint32_t end = second ? firing.end : firing.second;
+        const auto [begin, end] = rangeOf(firing, second);
         if (second && begin == end) return;
         for (uint32_t i = begin; i < end; ++i) out_.returns.push_back(i);
         out_.columns.push_back({firing.azimuth, firing.time, first, first + (end - begin)});
@@ -84,8 +89,8 @@ class Gathering {
 
     template <class Use>
     void forEachReturn(long firing, bool second, const Use& use) const {
-        const VelodyneFiring& f = in_.firings[static_cast<size_t>(firing)];
-        for (uint32_t i = second ? f.second : f.begin; i < (second ? f.end : f.second); ++i) {
+        const auto [begin, end] = rangeOf(in_.firings[static_cast<size_t>(firing)], second);
+        for (uint32_t i = begin; i < end; ++i) {
             use(i, firing - shifts_[in_.lasers[i]]);
         }
     }

@@ -133,7 +133,7 @@ class Decoder {
         firing.begin = firing.second = pointCount();
         const bool dual = place.other && !model_.twoBanks;
         if (dual) {
-            addEqual(place);
+            addFirst(place);
         } else {
             addBlock(place, place.block);
             if (place.other) addBlock(place, *place.other);
@@ -150,8 +150,8 @@ class Decoder {
         }
     }
 
-    /// The last returns, and the strongest of lasers that have no other one.
-    void addEqual(const Place& place) {
+    /// The last returns, and of the strongest those that equal them or have none beside them.
+    void addFirst(const Place& place) {
         for (size_t l = 0; l < lasersPerBlock_; ++l) {
             const uint16_t last = distance(place, place.block, l);
             const uint16_t strongest = distance(place, *place.other, l);
