@@ -26,7 +26,7 @@ class OffsetsFromLine {
     struct Line {
         float x, y;            ///< [m] of a point on it
         float alongX, alongY;  ///< a vector along it
-        float length;          ///< of that; only used with slack
+        float length;          ///< of that
     };
 
     /// \param slack [m] per point, or empty
@@ -35,8 +35,7 @@ class OffsetsFromLine {
                   static_cast<uint32_t>(points.size())},
           line_{static_cast<float>(line.point.x), static_cast<float>(line.point.y),
                 static_cast<float>(line.along.x), static_cast<float>(line.along.y),
-                slack.empty() ? 0 : static_cast<float>(std::sqrt(line.squaredLength))},
-          squaredLength_(line.squaredLength) {}
+                static_cast<float>(std::sqrt(line.squaredLength))} {}
 
     /// \param limit [m]
     bool anyBeyond(double limit) const {
@@ -45,10 +44,10 @@ class OffsetsFromLine {
         return isBeyond(offsets.greatest, limit);
     }
 
-    /// \param offset of a point; \param limit [m]
-    bool isBeyond(float offset, double limit) const {
-        const double beyond = std::max(static_cast<double>(offset), 0.0);
-        return beyond * beyond > limit * limit * squaredLength_;
+    /// Whether the offset of a point, or any of some, is above a limit [m].
+    template <class Numbers>
+    [[gnu::always_inline]] bool isBeyond(const Numbers& offsets, double limit) const {
+        return any(offsets > static_cast<float>(limit) * line_.length);
     }
 
     /// Of one point, or of as many from there on as there are lanes.
@@ -74,7 +73,6 @@ class OffsetsFromLine {
  private:
     Points points_;
     Line line_;
-    double squaredLength_;
 };
 
 /// Which point is furthest off. Each lane has one of its own until that is asked for.
@@ -88,11 +86,13 @@ class FurthestFromLine {
             findInLanes();
         }
     }
-    bool isBeyond(double limit) const { return of_.isBeyond(greatest_[0], limit); }
+    bool isBeyond(double limit) const { return of_.isBeyond(offsets_, limit); }
     /// The first of several.
     uint32_t point() const {
+        Lanes greatest = offsets_;
+        spreadGreatest(greatest);
         constexpr LaneNumbers none = LaneNumbers{} + std::numeric_limits<int32_t>::min();
-        LaneNumbers negative = offsets_ == greatest_ ? -points_ : none;
+        LaneNumbers negative = offsets_ == greatest ? -points_ : none;
         spreadGreatest(negative);
         return static_cast<uint32_t>(-negative[0]);
     }
@@ -105,7 +105,7 @@ class FurthestFromLine {
             const float offset = of_.of(i);
             if (offset > most) most = offset, furthest = static_cast<int32_t>(i);
         }
-        offsets_ = greatest_ = Lanes{} + most;
+        offsets_ = Lanes{} + most;
         points_ = LaneNumbers{} + furthest;
     }
     [[gnu::always_inline]] void findInLanes() {
@@ -123,12 +123,10 @@ class FurthestFromLine {
             points_ = offsets >= offsets_ ? more : points_;
             offsets_ = offsets_ > offsets ? offsets_ : offsets;
         }
-        greatest_ = offsets_;
-        spreadGreatest(greatest_);
     }
 
     OffsetsFromLine of_;
-    Lanes offsets_, greatest_;
+    Lanes offsets_;
     LaneNumbers points_;
 };
 
