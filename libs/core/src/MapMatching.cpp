@@ -16,14 +16,14 @@ TPoint2D rotated(const TPoint2D& direction, double angle) {
     return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
 }
 
-/// Standard deviation of a wall's predicted ground range: position and map, which err
-/// independently.
-double sigmaOfPrediction(const Viewpoint& viewpoint, const TPoint2D& direction, const Wall& wall) {
-    return rootOfSquares(viewpoint.ellipse.radius(direction), wall.sigma);
+/// [m^2] Variance of a wall's predicted ground range: position and map, which err independently.
+double varianceOfPrediction(const Viewpoint& viewpoint, const TPoint2D& direction,
+                            const Wall& wall) {
+    return viewpoint.ellipse.squaredRadius(direction) + wall.sigma * wall.sigma;
 }
 
-Interval predictedInterval(const RayHit& hit, double sigma, const MatchingConfig& config) {
-    return Interval::around(hit.range, config.sigmaFactor * sigma);
+Interval predictedInterval(const RayHit& hit, double variance, const MatchingConfig& config) {
+    return Interval::around(hit.range, config.sigmaFactor * std::sqrt(variance));
 }
 
 /// Whether a ray turned by so much [rad] may at all meet a wall that fits. Most of what is kept
@@ -51,8 +51,8 @@ std::optional<uint32_t> wallBesideRay(const Interval& measured, const Viewpoint&
         const TPoint2D beside = rotated(direction, share * widest);
         const auto hit = map.castRay(viewpoint.position, beside, config.maxRange, z);
         if (!hit || hit->wall == wallOnRay) continue;
-        const double sigma = sigmaOfPrediction(viewpoint, beside, map.walls()[hit->wall]);
-        if (predictedInterval(*hit, sigma, config).intersects(measured)) return hit->wall;
+        const double variance = varianceOfPrediction(viewpoint, beside, map.walls()[hit->wall]);
+        if (predictedInterval(*hit, variance, config).intersects(measured)) return hit->wall;
     }
     return std::nullopt;
 }
@@ -92,12 +92,12 @@ SegmentMatch matchByRay(const VerticalSegment& segment, const Interval& measured
     const double z = viewpoint.height + 0.5 * (segment.bottom.y + segment.top.y);
     const auto hit = map.castRay(viewpoint.position, direction, config.maxRange, z);
     if (hit) {
-        const double sigma = sigmaOfPrediction(viewpoint, direction, map.walls()[hit->wall]);
+        const double variance = varianceOfPrediction(viewpoint, direction, map.walls()[hit->wall]);
         match.wall = hit->wall;
-        match.predicted = predictedInterval(*hit, sigma, config);
+        match.predicted = predictedInterval(*hit, variance, config);
         // What the measured interval is wide stands for the noise of the sensor and the mounting.
         const double sigmaMeasured = 0.5 * measured.width() / std::max(config.sigmaFactor, 1.0);
-        const double total = rootOfSquares(sigma, sigmaMeasured);
+        const double total = std::sqrt(variance + sigmaMeasured * sigmaMeasured);
         match.residual = total > 0 ? (measured.centre() - hit->range) / total : 0;
         if (match.predicted->intersects(measured)) {  // eq. 7, corrected
             match.verdict = Verdict::MappedByRay;

@@ -22,13 +22,14 @@ PositionEllipse::PositionEllipse(const Eigen::Matrix2d& covariance) {
                                  : mrpt::math::TPoint2D(smaller, larger) * (1 / norm);
 }
 
-double PositionEllipse::radius(const mrpt::math::TPoint2D& direction) const {
+double PositionEllipse::squaredRadius(const mrpt::math::TPoint2D& direction) const {
     const double cosKappa = direction.x * majorAxis_.x + direction.y * majorAxis_.y;
     const double sinKappa = direction.x * majorAxis_.y - direction.y * majorAxis_.x;
     // Eq. 6 multiplied out, which also serves a circle of no size and an ellipse of no width.
-    const double denominator = rootOfSquares(a_ * sinKappa, b_ * cosKappa);
-    if (denominator > 0) return a_ * b_ / denominator;
-    return a_;  // along an ellipse of no width, or a_ == 0
+    const double acrossMajor = a_ * sinKappa, acrossMinor = b_ * cosKappa;
+    const double denominator = acrossMajor * acrossMajor + acrossMinor * acrossMinor;
+    if (denominator > 0) return a_ * a_ * (b_ * b_) / denominator;
+    return a_ * a_;  // along an ellipse of no width, or a_ == 0
 }
 
 }  // namespace offmap::core

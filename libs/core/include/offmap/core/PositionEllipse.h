@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <mrpt/math/TPoint2D.h>
 
+#include <cmath>
+
 namespace offmap::core {
 
 /// The one-sigma ellipse of a position on the ground (section 3.2).
@@ -19,7 +21,11 @@ class PositionEllipse {
     /// Radius in a direction, b / sqrt(1 - e^2 cos^2 kappa) with e^2 = 1 - b^2 / a^2 [m]; eq. 6,
     /// corrected. \param direction unit vector in the frame of the covariance; kappa is its angle
     /// to the major axis
-    double radius(const mrpt::math::TPoint2D& direction) const;
+    double radius(const mrpt::math::TPoint2D& direction) const {
+        return std::sqrt(squaredRadius(direction));
+    }
+    /// [m^2] The variance there.
+    double squaredRadius(const mrpt::math::TPoint2D& direction) const;
 
  private:
     double a_ = 0, b_ = 0;
