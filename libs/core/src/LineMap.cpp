@@ -79,14 +79,18 @@ LineMap::~LineMap() = default;
 
 std::optional<RayHit> LineMap::castRay(const TPoint2D& origin, const TPoint2D& direction,
                                        double maxRange, double z) const {
-    // The ray is looked up piece by piece, each twice as long as the one before: what lies behind
-    // the first wall is hardly ever touched, in however large a map.
-    constexpr double firstPiece = 4.0;  // [m]
+    // The ray is looked up piece by piece, each longer than the one before: what lies behind the
+    // first wall is hardly ever touched, in however large a map. By the box around a piece, which
+    // is told from those of the index without divisions; so no piece is so long that the box of a
+    // slanting one holds a quarter of a town.
+    constexpr double firstPiece = 4.0, longestPiece = 16.0;  // [m]
     std::optional<RayHit> nearest;
-    double from = 0, to = std::min(firstPiece, maxRange);
+    double from = 0, length = firstPiece;
     while (from < maxRange) {
+        const double to = std::min(from + length, maxRange);
         const TPoint2D a = origin + direction * from, b = origin + direction * to;
-        const bg::model::segment<Point> piece({a.x, a.y}, {b.x, b.y});
+        const Box piece({std::min(a.x, b.x), std::min(a.y, b.y)},
+                        {std::max(a.x, b.x), std::max(a.y, b.y)});
         index_->forEachNear(piece, [&](uint32_t wall) {
             if (!walls_[wall].height.contains(z)) return;
             const auto range = rangeTo(walls_[wall], origin, direction);
@@ -100,7 +104,7 @@ std::optional<RayHit> LineMap::castRay(const TPoint2D& origin, const TPoint2D& d
         });
         if (nearest && nearest->range <= to) break;
         from = to;
-        to = std::min(2 * to, maxRange);
+        length = std::min(2 * length, longestPiece);
     }
     if (nearest) {
         nearest->incidence =
