@@ -16,16 +16,17 @@ namespace {
 
 /// [rad] To either side of an arc's first point. Less than between the columns of any scanner, more
 /// than what float coordinates leave uncertain.
-constexpr double halfLength = mrpt::DEG2RAD(0.02);
-/// Fewer on average are no columns; which shows after some arcs.
-constexpr size_t pointsPerArc = 4, someArcs = 64;
+constexpr float halfLength = mrpt::DEG2RAD(0.02F);
+/// So many tell whether points stand in columns.
+constexpr size_t someArcs = 64;
 
 /// Angles [rad] from an arc's first point to others, of one at a time or of as many as there are
-/// lanes. Their tangents stand for them: 1.4e-11 rad more at most.
+/// lanes. Their tangents stand for them: 1.4e-11 rad more at most. In floats, which leave them as
+/// uncertain as the coordinates do that they are of: by 1e-7 rad.
 template <class Numbers>
 class ArcAngles {
  public:
-    ArcAngles(double x0, double y0) : x0_(x0), y0_(y0) {}
+    ArcAngles(float x0, float y0) : x0_(x0), y0_(y0) {}
 
     /// Adds all or none. \return false if a point looks another way
     [[gnu::always_inline]] bool add(const float* xs, const float* ys) {
@@ -34,13 +35,15 @@ class ArcAngles {
         core::load(ys, y);
         const Numbers along = x0_ * x + y0_ * y, across = x0_ * y - y0_ * x;
         const Numbers widest = halfLength * along;
-        const auto seen = x * x + y * y >= minGroundRange * minGroundRange;
+        const Numbers squared = x * x + y * y;
+        const auto seen = squared >= minSquaredGroundRange;
         if (core::any(seen & ((across > widest) | (-across > widest)))) return false;
         const Numbers none{}, angles = seen ? across / along : none;
         least_ = angles < least_ ? angles : least_;
         greatest_ = angles > greatest_ ? angles : greatest_;
         sum_ += angles;
         points_ += seen ? none + 1 : none;
+        furthest_ = squared > furthest_ ? squared : furthest_;
         return true;
     }
 
@@ -48,10 +51,11 @@ class ArcAngles {
     const Numbers& greatest() const { return greatest_; }
     const Numbers& sum() const { return sum_; }
     const Numbers& points() const { return points_; }
+    const Numbers& furthest() const { return furthest_; }  ///< [m^2] from the axis
 
  private:
-    double x0_, y0_;
-    Numbers least_{}, greatest_{}, sum_{}, points_{};
+    float x0_, y0_;
+    Numbers least_{}, greatest_{}, sum_{}, points_{}, furthest_{};
 };
 
 /// The arc of a point that has an azimuth and of those behind it, up to the first one that looks
@@ -59,27 +63,29 @@ class ArcAngles {
 OFFMAP_BY_PROCESSOR AzimuthArc arcFrom(const CloudPoints& points, uint32_t first) {
     const float *x = points.x.data(), *y = points.y.data();
     const auto count = static_cast<uint32_t>(points.size());
-    ArcAngles<core::DoubleLanes> many(x[first], y[first]);
-    ArcAngles<double> rest(x[first], y[first]);
+    ArcAngles<core::Lanes> many(x[first], y[first]);
+    ArcAngles<float> rest(x[first], y[first]);
     uint32_t end = first;
-    while (end + core::doubleLaneCount <= count && many.add(x + end, y + end)) {
-        end += core::doubleLaneCount;
-    }
+    while (end + core::laneCount <= count && many.add(x + end, y + end)) end += core::laneCount;
     while (end < count && rest.add(x + end, y + end)) ++end;
 
-    double least = rest.least(), greatest = rest.greatest();
-    for (uint32_t lane = 0; lane < core::doubleLaneCount; ++lane) {
+    float least = rest.least(), greatest = rest.greatest(), furthest = rest.furthest();
+    double sum = rest.sum(), seen = rest.points();
+    for (uint32_t lane = 0; lane < core::laneCount; ++lane) {
         least = std::min(least, many.least()[lane]);
         greatest = std::max(greatest, many.greatest()[lane]);
+        furthest = std::max(furthest, many.furthest()[lane]);
+        sum += many.sum()[lane];
+        seen += many.points()[lane];
     }
-    const double seen = core::total(many.points()) + rest.points();
     AzimuthArc arc;
     arc.first = first;
     arc.end = end;
     arc.points = static_cast<uint32_t>(seen);
+    arc.clear = furthest >= clearSquaredGroundRange;
     arc.begin = wrapped(azimuthOf(x[first], y[first]) + least);
     arc.length = greatest - least;
-    arc.sum = core::total(many.sum()) + rest.sum() - least * seen;
+    arc.sum = sum - least * seen;
     return arc;
 }
 
@@ -104,6 +110,7 @@ BinnedArcs arcsInBins(const CloudPoints& points) {
     struct Bin {
         double least = 0, greatest = 0, sum = 0;  // [rad] from where it begins
         uint32_t points = 0, arc = 0;
+        bool clear = false;
     };
     std::vector<Bin> filled(bins);
     BinnedArcs out{{}, std::vector<uint32_t>(points.size(), BinnedArcs::none)};
@@ -117,6 +124,8 @@ BinnedArcs arcsInBins(const CloudPoints& points) {
         bin.greatest = bin.points == 0 ? angle : std::max(bin.greatest, angle);
         bin.sum += angle;
         ++bin.points;
+        const float x = points.x[i], y = points.y[i];
+        bin.clear = bin.clear || x * x + y * y >= clearSquaredGroundRange;
         out.arcOf[i] = b;
     }
     for (uint32_t b = 0; b < bins; ++b) {
@@ -128,6 +137,7 @@ BinnedArcs arcsInBins(const CloudPoints& points) {
         arc.length = bin.greatest - bin.least;
         arc.sum = bin.sum - bin.least * bin.points;
         arc.points = bin.points;
+        arc.clear = bin.clear;
     }
     for (uint32_t& arc : out.arcOf) {
         if (arc != BinnedArcs::none) arc = filled[arc].arc;

@@ -1,45 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <offmap/rawlog/CloudPoints.h>
+#include "WrappedAngle.h"
 
-#include <mrpt/math/wrap2pi.h>
+#include <offmap/rawlog/CloudPoints.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 namespace offmap::rawlog {
 
-/// [m] Coordinates rounded to 1 mm leave an azimuth uncertain by 0.08 degrees here.
-constexpr double minGroundRange = 0.5;
-
-/// In (-pi, pi]: mostly, an angle is already, and is left as it is.
-inline double wrapped(double angle) {
-    const bool isIn = -std::numbers::pi < angle && angle <= std::numbers::pi;
-    return isIn ? angle : mrpt::math::wrapToPi(angle);
-}
+/// [m^2] Nearer to the vertical axis than 1 cm, points have no azimuth worth the name.
+constexpr float minSquaredGroundRange = 1e-4F;
+/// [m^2] At 0.5 m, coordinates rounded to 1 mm leave an azimuth uncertain by 0.08 degrees.
+constexpr float clearSquaredGroundRange = 0.25F;
+/// Fewer on average are no columns.
+constexpr uint32_t pointsPerArc = 4;
 
 inline double azimuthOf(float x, float y) {
     return std::atan2(static_cast<double>(y), static_cast<double>(x));
 }
 
-/// False within minGroundRange of the vertical axis.
-inline bool hasAzimuth(float x, float y) {
-    const double xx = x, yy = y;
-    return xx * xx + yy * yy >= minGroundRange * minGroundRange;
-}
+/// False on the vertical axis.
+inline bool hasAzimuth(float x, float y) { return x * x + y * y >= minSquaredGroundRange; }
 
-/// What azimuths some points have, those near the vertical axis left out.
+/// What azimuths some points have, those on the vertical axis left out.
 struct AzimuthArc {
     double begin = 0;     ///< [rad] the least, in (-pi, pi]
     double length = 0;    ///< [rad] to the greatest
     double sum = 0;       ///< [rad] of the azimuths, from begin on
     uint32_t points = 0;  ///< that they are of
+    bool clear = false;   ///< one of them is so far from the axis that rounding does not matter
     uint32_t first = 0;   ///< where the points stand in the cloud
-    uint32_t end = 0;     ///< likewise; some between may be near the vertical axis
+    uint32_t end = 0;     ///< likewise; some between may be on the vertical axis
+
+    /// Near the axis, only points that agree tell of a column.
+    bool isSure() const { return clear || points >= pointsPerArc; }
 };
 
 /// The arcs of points that stand one behind the other and look nearly the same way: where a cloud
@@ -51,7 +49,7 @@ std::vector<AzimuthArc> arcsInOrder(const CloudPoints& points);
 struct BinnedArcs {
     static constexpr uint32_t none = UINT32_MAX;
     std::vector<AzimuthArc> arcs;  ///< sorted; they say nothing of where points stand
-    std::vector<uint32_t> arcOf;   ///< per point: index into arcs; none near the vertical axis
+    std::vector<uint32_t> arcOf;   ///< per point: index into arcs; none on the vertical axis
 };
 
 /// The arcs of bins that are far narrower than the columns of any scanner are apart.

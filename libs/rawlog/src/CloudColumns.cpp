@@ -72,8 +72,8 @@ class NearColumn {
     double x_, y_, slope_;
 };
 
-/// The columns nearest to points, as runs. Points near the vertical axis stand beside others of
-/// their column, mostly: then no azimuth is worked out.
+/// The columns nearest to points, as runs. Those on the vertical axis stand beside others of their
+/// column, mostly: then no azimuth is worked out.
 void addNearest(CloudColumns& columns, NearestColumn& nearest, const CloudPoints& points,
                 const AzimuthArc& arc) {
     std::optional<NearColumn> last;
@@ -141,15 +141,26 @@ std::vector<AzimuthArc> sorted(std::vector<AzimuthArc> arcs) {
     return arcs;
 }
 
+/// From those that are sure; if that blurs the columns, from those that are clear.
+std::vector<double> clustersOf(const std::vector<AzimuthArc>& arcs) {
+    std::vector<AzimuthArc> chosen = arcs;
+    std::erase_if(chosen, [](const AzimuthArc& arc) { return !arc.isSure(); });
+    chosen = sorted(std::move(chosen));
+    std::vector<double> clusters = findClusters(chosen);
+    if (!clusters.empty()) return clusters;
+    const auto unclear = std::erase_if(chosen, [](const AzimuthArc& arc) { return !arc.clear; });
+    return unclear > 0 ? findClusters(chosen) : clusters;
+}
+
 }  // namespace
 
 CloudColumns findCloudColumns(const CloudPoints& points, double width) {
     if (width > 0) return fixedBins(points, width);
     const std::vector<AzimuthArc> arcs = arcsInOrder(points);
-    std::vector<double> clusters = findClusters(sorted(arcs));
+    std::vector<double> clusters = clustersOf(arcs);
     if (!clusters.empty()) return nearestColumns(points, std::move(clusters), arcs);
     const BinnedArcs binned = arcsInBins(points);
-    clusters = findClusters(binned.arcs);
+    clusters = clustersOf(binned.arcs);
     if (clusters.empty()) return fixedBins(points, chosenWidth(points.size()));
     return nearestColumns(points, std::move(clusters), binned);
 }

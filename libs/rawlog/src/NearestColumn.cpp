@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NearestColumn.h"
 
-#include <mrpt/math/wrap2pi.h>
+#include "WrappedAngle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,7 @@ uint32_t NearestColumn::search(double azimuth) const {
     const auto above = std::lower_bound(sorted_.begin(), sorted_.end(), azimuth);
     const auto next = above == sorted_.end() ? sorted_.begin() : above;
     const auto previous = above == sorted_.begin() ? std::prev(sorted_.end()) : std::prev(above);
-    const auto away = [&](auto column) {
-        return std::abs(mrpt::math::wrapToPi(*column - azimuth));
-    };
+    const auto away = [&](auto column) { return std::abs(wrapped(*column - azimuth)); };
     const auto nearest = away(next) < away(previous) ? next : previous;
     return static_cast<uint32_t>(std::distance(sorted_.begin(), nearest));
 }

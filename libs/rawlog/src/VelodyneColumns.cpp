@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "WrappedAngle.h"
+
 #include <offmap/rawlog/VelodyneColumns.h>
 
 #include <mrpt/core/bits_math.h>
-#include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace offmap::rawlog {
 namespace {
 
 double stepBetween(const VelodyneFiring& a, const VelodyneFiring& b) {
-    return mrpt::math::wrapToPi(b.azimuth - a.azimuth);
+    return wrapped(b.azimuth - a.azimuth);
 }
 
 /// Whether two firings are neighbours: no packet is missing between them.
