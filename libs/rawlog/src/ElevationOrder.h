@@ -14,9 +14,9 @@ namespace offmap::rawlog {
 struct Upwards {
     explicit Upwards(const mrpt::poses::CPose3D& sensorInVehicle) {
         const auto& rotation = sensorInVehicle.getRotationMatrix();
-        x = rotation(2, 0), y = rotation(2, 1), z = rotation(2, 2);
+        direction = {rotation(2, 0), rotation(2, 1), rotation(2, 2)};
     }
-    double x, y, z;
+    mrpt::math::TPoint3D direction;
 };
 
 /// How the returns of a column follow each other.
@@ -25,7 +25,7 @@ enum class ElevationOrder { Upward, Downward, Mixed };
 /// Upward or downward only if each return is clearly above the one before, or below it, so that
 /// rounding cannot make it look otherwise. Told quickly. \pre there is one; all are finite
 ElevationOrder elevationOrderOf(const CloudPoints& returns, const Upwards& up);
-ElevationOrder elevationOrderOf(std::span<const ColumnReturn> returns, const Upwards& up);
+ElevationOrder elevationOrderOf(std::span<const mrpt::math::TPoint3Df> returns, const Upwards& up);
 
 /// Sorts the returns of a column by elevation, those at one elevation by range.
 void sortUpward(std::span<ColumnReturn> returns, const Upwards& up);

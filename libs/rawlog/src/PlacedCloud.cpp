@@ -72,18 +72,19 @@ ColumnOrder orderOf(const CloudColumns& columns) {
 /// The column that some runs are; gathered only if they are several or not in order.
 void appendRuns(TurnScan& out, const core::ScanColumn& column,
                 const mrpt::poses::CPose3D& sensorInVehicle, const CloudReturns& returns,
-                std::span<const ColumnRun> runs, std::vector<ColumnReturn>& scratch) {
+                std::span<const ColumnRun> runs) {
     const CloudPoints& points = returns.points();
     const PointSlots slots = returns.slots();
     if (runs.size() == 1 && appendColumnInOrder(out, column, sensorInVehicle, points, slots,
                                                 runs[0].begin, runs[0].end)) {
         return;
     }
-    scratch.clear();
+    const size_t begin = out.scan.points.size();
+    out.scan.columns.push_back(column);
     for (const ColumnRun& run : runs) {
-        for (uint32_t i = run.begin; i < run.end; ++i) scratch.push_back({points[i], slots[i]});
+        for (uint32_t i = run.begin; i < run.end; ++i) out.add(points[i], slots[i]);
     }
-    appendColumn(out, column, sensorInVehicle, scratch);
+    closeColumn(out, sensorInVehicle, begin);
 }
 
 }  // namespace
@@ -99,14 +100,13 @@ void appendCloud(TurnScan& out, const PlacedCloud& cloud, uint32_t firstSlot,
     core::ScanColumn column;
     column.time = cloud.time;
     placeColumn(column, cloud.vehicle, cloud.sensorInVehicle);
-    std::vector<ColumnReturn> scratch;
     uint32_t next = 0;
     for (size_t c = 0; c < order.ends.size(); ++c) {
         column.azimuth =
             static_cast<float>(azimuthInVehicle(columns.azimuths[c], cloud.sensorInVehicle));
         const auto runs = std::span(order.runs).subspan(next, order.ends[c] - next);
         next = order.ends[c];
-        appendRuns(out, column, cloud.sensorInVehicle, returns, runs, scratch);
+        appendRuns(out, column, cloud.sensorInVehicle, returns, runs);
     }
 }
 

@@ -4,7 +4,7 @@
 #include <offmap/rawlog/ColumnBuilder.h>
 
 #include <limits>
-#include <vector>
+#include <utility>
 
 namespace offmap::rawlog {
 
@@ -13,6 +13,12 @@ namespace {
 using Scan = mrpt::obs::CObservationVelodyneScan;
 
 const Scan& asScan(const mrpt::obs::CObservation& obs) { return dynamic_cast<const Scan&>(obs); }
+
+void makeRoom(const VelodyneColumns& gathered, core::OrganizedScan& scan) {
+    scan.columns.reserve(scan.columns.size() + gathered.columns.size());
+    scan.points.reserve(scan.points.size() + gathered.returns.size());
+    scan.sourceIndex.reserve(scan.sourceIndex.size() + gathered.returns.size());
+}
 
 }  // namespace
 
@@ -33,7 +39,9 @@ void VelodyneColumnStream::finish(const Turn& turn, TurnScan& out) {
     for (const auto& observation : turn) {
         const Scan& obs = asScan(*observation);
         decode(obs);
-        append(gatherColumns(progress_.decoded, progress_.firings), obs, out);
+        VelodyneColumns gathered = gatherColumns(progress_.decoded, progress_.firings);
+        makeRoom(gathered, out.scan);
+        append(std::move(gathered), obs, out);
         const size_t slots = obs.scan_packets.size() * slotsPerPacket;
         out.counts.zero += slots - progress_.decoded.points.size();
         firstSlot_ += static_cast<uint32_t>(slots);
@@ -66,21 +74,20 @@ void VelodyneColumnStream::orderUpward(std::span<uint32_t> returns) {
 void VelodyneColumnStream::append(VelodyneColumns gathered, const Scan& obs, TurnScan& out) {
     const mrpt::poses::CPose3D mounting = sensorInVehicle(obs, config_);
     const VelodyneReturns& decoded = progress_.decoded;
-    std::vector<ColumnReturn> returns;
     for (const VelodyneColumn& from : gathered.columns) {
-        returns.clear();
+        const size_t begin = out.scan.points.size();
         const auto ofColumn =
             std::span(gathered.returns).subspan(from.begin, from.end - from.begin);
         orderUpward(ofColumn);
         for (const uint32_t r : ofColumn) {
             if (!countReturn(out.counts, decoded.points[r])) continue;
-            returns.push_back({decoded.points[r], firstSlot_ + decoded.slots[r]});
+            out.add(decoded.points[r], firstSlot_ + decoded.slots[r]);
         }
-        core::ScanColumn column;
+        core::ScanColumn& column = out.scan.columns.emplace_back();
         column.azimuth = static_cast<float>(azimuthInVehicle(from.azimuth, mounting));
         column.time = from.time;
         placeColumn(column, poses_.at(from.time), mounting);
-        appendColumn(out, column, mounting, returns);
+        closeColumn(out, mounting, begin);
     }
 }
 

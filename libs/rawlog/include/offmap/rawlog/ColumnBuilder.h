@@ -20,8 +20,8 @@ namespace offmap::rawlog {
 struct ColumnReturn {
     mrpt::math::TPoint3Df point;  ///< [m] in the frame of its column's sensor
     uint32_t slot = 0;            ///< in the turn
-    /// [-] Square of the elevation's sine, with its sign, in the vehicle's axes; filled in by
-    /// appendColumn().
+    /// [-] Square of the elevation's sine, with its sign, in the vehicle's axes; filled in where
+    /// it is needed.
     double squaredSine = 0;
 };
 
@@ -65,14 +65,19 @@ void placeColumn(core::ScanColumn& column, const PoseLookup& vehicle,
 /// Azimuth in the vehicle's axes of a direction in the sensor's horizontal plane [rad].
 double azimuthInVehicle(double azimuthInSensor, const mrpt::poses::CPose3D& sensorInVehicle);
 
-/// Puts a column behind those that `out` has: bottom to top by elevation in the vehicle's axes,
-/// exact duplicates skipped and counted. The order is total, so that of `returns` does not matter.
-void appendColumn(TurnScan& out, core::ScanColumn column,
-                  const mrpt::poses::CPose3D& sensorInVehicle, std::span<ColumnReturn> returns);
+/// Gives the last column the last returns, from `begin` on: bottom to top by elevation in the
+/// vehicle's axes, exact duplicates taken out and counted. The order is total, so that in which
+/// they were added does not matter.
+void closeColumn(TurnScan& out, const mrpt::poses::CPose3D& sensorInVehicle, size_t begin);
 
-/// The same for points `begin` to `end` of a cloud, where they already stand so, or from top to
+/// Adds a column with its returns.
+void appendColumn(TurnScan& out, const core::ScanColumn& column,
+                  const mrpt::poses::CPose3D& sensorInVehicle,
+                  std::span<const ColumnReturn> returns);
+
+/// The same with points `begin` to `end` of a cloud, where they already stand so, or from top to
 /// bottom. \return false, and nothing is done, if they do not
-bool appendColumnInOrder(TurnScan& out, core::ScanColumn column,
+bool appendColumnInOrder(TurnScan& out, const core::ScanColumn& column,
                          const mrpt::poses::CPose3D& sensorInVehicle, const CloudPoints& points,
                          const PointSlots& slots, uint32_t begin, uint32_t end);
 

@@ -38,6 +38,12 @@ struct TurnScan {
     core::OrganizedScan scan;  ///< sourceIndex counts the slots of the whole turn
     std::vector<DuplicateReturn> duplicates;
     ReturnCounts counts;
+
+    /// A return of the column that is being taken.
+    void add(const mrpt::math::TPoint3Df& point, uint32_t slot) {
+        scan.points.push_back(point);
+        scan.sourceIndex.push_back(slot);
+    }
 };
 
 /// A choice among the slots of one observation.
