@@ -131,66 +131,69 @@ class Decoder {
         const double rotation = rotationOf(obs_.scan_packets[place.packet].blocks[place.block]);
         firing.azimuth = -toRadians(rotation + directions_.turned(place.firing, middle));
         firing.begin = firing.second = pointCount();
+        const Shots shots = shotsOf(place, place.block);
         const bool dual = place.other && !model_.twoBanks;
         if (dual) {
-            addFirst(place);
+            addFirst(shots, shotsOf(place, *place.other));
         } else {
-            addBlock(place, place.block);
-            if (place.other) addBlock(place, *place.other);
+            addAll(shots);
+            if (place.other) addAll(shotsOf(place, *place.other));
         }
         firing.second = pointCount();
-        if (dual) addDifferent(place);
+        if (dual) addDifferent(shots, shotsOf(place, *place.other));
         firing.end = pointCount();
         out_.firings.push_back(firing);
     }
 
-    void addBlock(const Place& place, size_t block) {
+    /// What a firing has in one block.
+    struct Shots {
+        const Scan::laser_return_t* returns;
+        size_t firstLaser, firstSlot;
+        std::span<const Direction> turns;  ///< per laser, from `ofBlock_` on
+
+        uint16_t distance(size_t l) const { return distanceOf(returns[l]); }
+    };
+
+    Shots shotsOf(const Place& place, size_t block) const {
+        const auto& of = obs_.scan_packets[place.packet].blocks[block];
+        const size_t inBlock = place.firing * lasersPerBlock_;
+        const size_t blockOfScan = place.packet * blocksPerPacket + block;
+        return {of.laser_returns + inBlock, isUpper(of) ? 0UL : Scan::SCANS_PER_BLOCK,
+                blockOfScan * Scan::SCANS_PER_BLOCK + inBlock, directions_.ofFiring(place.firing)};
+    }
+
+    void addAll(const Shots& shots) {
         for (size_t l = 0; l < lasersPerBlock_; ++l) {
-            if (distance(place, block, l) != 0) addReturn(place, block, l);
+            if (const uint16_t distance = shots.distance(l)) addReturn(shots, l, distance);
         }
     }
 
     /// The last returns, and of the strongest those that equal them or have none beside them.
-    void addFirst(const Place& place) {
+    void addFirst(const Shots& lasts, const Shots& strongests) {
         for (size_t l = 0; l < lasersPerBlock_; ++l) {
-            const uint16_t last = distance(place, place.block, l);
-            const uint16_t strongest = distance(place, *place.other, l);
-            if (last != 0) addReturn(place, place.block, l);
+            const uint16_t last = lasts.distance(l), strongest = strongests.distance(l);
+            if (last != 0) addReturn(lasts, l, last);
             if (strongest != 0 && (last == 0 || last == strongest)) {
-                addReturn(place, *place.other, l);
+                addReturn(strongests, l, strongest);
             }
         }
     }
 
     /// The strongest returns of lasers whose last return is another one.
-    void addDifferent(const Place& place) {
+    void addDifferent(const Shots& lasts, const Shots& strongests) {
         for (size_t l = 0; l < lasersPerBlock_; ++l) {
-            const uint16_t last = distance(place, place.block, l);
-            const uint16_t strongest = distance(place, *place.other, l);
+            const uint16_t last = lasts.distance(l), strongest = strongests.distance(l);
             if (last != 0 && strongest != 0 && last != strongest) {
-                addReturn(place, *place.other, l);
+                addReturn(strongests, l, strongest);
             }
         }
     }
 
-    size_t inBlock(const Place& place, size_t l) const {
-        return place.firing * lasersPerBlock_ + l;
-    }
-
-    uint16_t distance(const Place& place, size_t block, size_t l) const {
-        const auto& returns = obs_.scan_packets[place.packet].blocks[block].laser_returns;
-        return distanceOf(returns[inBlock(place, l)]);
-    }
-
-    void addReturn(const Place& place, size_t block, size_t l) {
-        const bool lower = !isUpper(obs_.scan_packets[place.packet].blocks[block]);
-        const size_t laser = l + (lower ? Scan::SCANS_PER_BLOCK : 0);
-        const Direction& turn = directions_.ofFiring(place.firing)[laser];
-        const size_t blockOfScan = place.packet * blocksPerPacket + block;
-        const size_t slot = blockOfScan * Scan::SCANS_PER_BLOCK + inBlock(place, l);
-        out_.points.push_back(
-            pointOf(distance(place, block, l), ofBlock_.turned(turn), lasers_[laser]));
-        out_.slots.push_back(static_cast<uint32_t>(slot));
+    void addReturn(const Shots& shots, size_t l, uint16_t distance) {
+        const size_t laser = shots.firstLaser + l;
+        const Direction direction = ofBlock_.turned(shots.turns[laser]);
+        out_.points.push_back(pointOf(distance, direction, lasers_[laser]));
+        out_.slots.push_back(static_cast<uint32_t>(shots.firstSlot + l));
         out_.lasers.push_back(static_cast<uint8_t>(laser));
     }
 
