@@ -33,6 +33,12 @@ ColumnPlace placeOf(const mrpt::poses::CPose3D& sensorInMap,
 
 double dot(const TPoint2D& a, const TPoint2D& b) { return a.x * b.x + a.y * b.y; }
 
+/// To the bit; MRPT's own comparison wraps the angles first.
+bool isSame(const mrpt::math::TPose3D& a, const mrpt::math::TPose3D& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.yaw == b.yaw && a.pitch == b.pitch &&
+           a.roll == b.roll;
+}
+
 }  // namespace
 
 ColumnPlace placeOf(const ScanColumn& column) {
@@ -49,7 +55,7 @@ void addPlaces(const OrganizedScan& scan, std::vector<ColumnPlace>& places) {
             places.push_back({{0, 0}, {1, 0}});
             continue;
         }
-        if (mounting != column.sensorInVehicle) {
+        if (!mounting || !isSame(*mounting, column.sensorInVehicle)) {
             mounting = column.sensorInVehicle;
             rotation = mrpt::poses::CPose3D(*mounting).getRotationMatrix();
         }

@@ -34,11 +34,14 @@ SensorPose composeOnGround(const mrpt::poses::CPose3D& vehicleInMap,
     SensorPose sensor;
     sensor.sensorInMap = vehicleInMap + sensorInVehicle;
     // A turn of the vehicle by dyaw moves the sensor by dyaw times the lever, turned left by 90
-    // degrees.
-    Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
-    jacobian(0, 2) = -(sensor.sensorInMap.y() - vehicleInMap.y());
-    jacobian(1, 2) = sensor.sensorInMap.x() - vehicleInMap.x();
-    sensor.groundCovariance = jacobian * vehicleGroundCovariance * jacobian.transpose();
+    // degrees: J C J' with a J that is the identity but for two elements.
+    const double dx = -(sensor.sensorInMap.y() - vehicleInMap.y());
+    const double dy = sensor.sensorInMap.x() - vehicleInMap.x();
+    Eigen::Matrix3d& covariance = sensor.groundCovariance = vehicleGroundCovariance;
+    covariance.row(0) += dx * covariance.row(2);
+    covariance.row(1) += dy * covariance.row(2);
+    covariance.col(0) += dx * covariance.col(2);
+    covariance.col(1) += dy * covariance.col(2);
     return sensor;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SecondsBetween.h"
+#include "WrappedAngle.h"
 
 #include <offmap/rawlog/PoseTrack.h>
 
 #include <Eigen/Cholesky>
 #include <mrpt/math/slerp.h>
-#include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ bool isUpright(const TPose3D& pose) { return pose.pitch == 0 && pose.roll == 0; 
 TPose3D interpolated(const TPose3D& from, const TPose3D& to, double share) {
     TPose3D pose;
     if (isUpright(from) && isUpright(to)) {  // the same rotation as below, found more quickly
-        pose.yaw = mrpt::math::wrapToPi(from.yaw + share * mrpt::math::wrapToPi(to.yaw - from.yaw));
+        pose.yaw = wrapped(from.yaw + share * wrapped(to.yaw - from.yaw));
     } else {
         mrpt::math::slerp_ypr(from, to, share, pose);
     }
@@ -40,14 +40,23 @@ bool agree(const StampedPose& a, const StampedPose& b) {
                                         floorPosition * floorPosition, floorHeading * floorHeading);
     const Eigen::Vector3d difference(b.vehicleInMap.x - a.vehicleInMap.x,
                                      b.vehicleInMap.y - a.vehicleInMap.y,
-                                     mrpt::math::wrapToPi(b.vehicleInMap.yaw - a.vehicleInMap.yaw));
+                                     wrapped(b.vehicleInMap.yaw - a.vehicleInMap.yaw));
     Eigen::Matrix3d sum = matrixOf(a.groundCovariance) + matrixOf(b.groundCovariance);
     sum.diagonal() += floorVariance;
     return difference.dot(sum.ldlt().solve(difference)) <= 9.0;
 }
 
-PoseLookup lookup(const TPose3D& mean, const Eigen::Matrix3d& covariance) {
-    return {mrpt::poses::CPose3D(mean), covariance, {}};
+/// Upright, with one sine and cosine in place of three.
+mrpt::poses::CPose3D poseOf(const TPose3D& mean) {
+    if (!isUpright(mean)) return mrpt::poses::CPose3D(mean);
+    const double c = std::cos(mean.yaw), s = std::sin(mean.yaw);
+    mrpt::math::CMatrixDouble33 rotation;
+    rotation.asEigen() << c, -s, 0, s, c, 0, 0, 0, 1;
+    return {rotation, mrpt::math::CVectorFixedDouble<3>({mean.x, mean.y, mean.z})};
+}
+
+PoseLookup lookup(const TPose3D& mean, const GroundTriangle& covariance) {
+    return {poseOf(mean), matrixOf(covariance), {}};
 }
 
 PoseLookup none(core::PoseFault fault) { return {std::nullopt, Eigen::Matrix3d::Zero(), fault}; }
@@ -92,7 +101,7 @@ PoseLookup PoseTrack::atSingle(const StampedPose& pose, TimePoint time) const {
     const double age = secondsBetween(std::min(pose.time, time), std::max(pose.time, time));
     if (age > maxAge_) return none(core::PoseFault::TooOld);
     if (pose.fault) return none(*pose.fault);
-    return lookup(pose.vehicleInMap, matrixOf(pose.groundCovariance));
+    return lookup(pose.vehicleInMap, pose.groundCovariance);
 }
 
 PoseLookup PoseTrack::between(const StampedPose& before, const StampedPose& after,
@@ -105,9 +114,12 @@ PoseLookup PoseTrack::between(const StampedPose& before, const StampedPose& afte
         return none(core::PoseFault::TooOld);
     }
     const double share = sinceBefore / (sinceBefore + untilAfter);
-    return lookup(
-        interpolated(before.vehicleInMap, after.vehicleInMap, share),
-        (1 - share) * matrixOf(before.groundCovariance) + share * matrixOf(after.groundCovariance));
+    GroundTriangle covariance;
+    for (size_t i = 0; i < covariance.size(); ++i) {
+        covariance[i] =
+            (1 - share) * before.groundCovariance[i] + share * after.groundCovariance[i];
+    }
+    return lookup(interpolated(before.vehicleInMap, after.vehicleInMap, share), covariance);
 }
 
 }  // namespace offmap::rawlog
