@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <thread>
 
 namespace {
@@ -32,6 +33,19 @@ TEST(GzipMember, zlibReadsWhatIsInIt) {
             offmap::test::writeFile(folder / "member.gz", memberOf(content, level));
             EXPECT_TRUE(offmap::test::gunzippedFile(folder / "member.gz") == content) << level;
         }
+    }
+}
+
+TEST(GzipMember, noiseGrowsByALittle) {
+    std::mt19937 random(1);
+    std::string noise(1'000'000, ' ');
+    for (char& c : noise) c = static_cast<char>(random());
+    const offmap::test::TemporaryFolder folder;
+    for (const int level : {1, 6}) {
+        const std::string member = memberOf(noise, level);
+        EXPECT_LT(member.size(), noise.size() + 1'000) << level;
+        offmap::test::writeFile(folder / "noise.gz", member);
+        EXPECT_TRUE(offmap::test::gunzippedFile(folder / "noise.gz") == noise) << level;
     }
 }
 

@@ -10,8 +10,8 @@ namespace offmap::rawlog {
 /// \throw std::invalid_argument if the level is not 0 (stored) to 9
 void checkGzipLevel(int level);
 
-/// The content as one gzip member, in the same bytes on every machine. Members one after the other
-/// are a gzip file. May be called in several threads at once.
+/// The content as one gzip member, in the same bytes whenever this machine writes it. Members one
+/// after the other are a gzip file. May be called in several threads at once.
 /// \param level see checkGzipLevel(), which throws for others
 std::vector<std::byte> gzipMember(std::span<const std::byte> content, int level);
 
