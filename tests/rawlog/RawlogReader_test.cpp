@@ -107,6 +107,37 @@ TEST_F(RawlogReaderOnFile, plainAndGzipAndSeveralMembersReadAlike) {
     }
 }
 
+TEST_F(RawlogReaderOnFile, membersOfAnySizeReadAlike) {
+    std::string log;
+    while (log.size() < 300'000) log += smallLog();
+    for (const size_t size : {1'000, 10'001, 299'999}) {
+        SCOPED_TRACE(size);
+        std::string packed = gzipped("");
+        for (size_t i = 0; i < log.size(); i += size) packed += gzipped(log.substr(i, size));
+        packed += gzipped("");
+        EXPECT_EQ(readContent(packed).bytes, log);
+        const ReadLog cut = readContent(packed.substr(0, packed.size() - 25));
+        EXPECT_EQ(cut.bytes, log.substr(0, cut.bytes.size()));
+        packed[packed.size() / 2] ^= 0x01;
+        EXPECT_NE(readContent(packed).error, "");
+    }
+}
+
+TEST_F(RawlogReaderOnFile, whatLooksLikeAMemberInsideAnotherIsNone) {
+    mrpt::obs::CObservationComment comment;
+    comment.text = gzipped("a log in a log");
+    for (const int comments : {10, 30'000}) {  // up to 3 MB
+        RawlogWriter writer(folder_ / "nested.rawlog", {.gzipLevel = {}, .overwrite = true});
+        for (int i = 0; i < comments; ++i) writer.write(comment);
+        writer.publish();
+        const std::string log = gunzippedFile(writer.target()), stored = gzipped(log, 0);
+        const std::string packed = gzipped(log);
+        ASSERT_EQ(packed.substr(0, 10), comment.text.substr(0, 10));
+        EXPECT_EQ(readContent(packed + stored + packed).bytes, log + log + log);
+        EXPECT_EQ(readContent(stored + stored).bytes, log + log);
+    }
+}
+
 TEST_F(RawlogReaderOnFile, plainLogCutAnywhereSaysWhere) {
     const std::string log = smallLog();
     const std::vector<uint64_t> begins = readContent(log).offsets;

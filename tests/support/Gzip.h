@@ -8,10 +8,10 @@
 
 namespace offmap::test {
 
-/// One gzip member.
-inline std::string gzipped(const std::string& content) {
+/// One gzip member. \param level 0: stored as it is
+inline std::string gzipped(const std::string& content, int level = 6) {
     z_stream stream{};
-    deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+    deflateInit2(&stream, level, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
     std::string packed(deflateBound(&stream, content.size()), '\0');
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
     stream.avail_in = static_cast<uInt>(content.size());

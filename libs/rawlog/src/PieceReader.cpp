@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceReader.h"
 
+#include "MemberCutter.h"
+
 #include <offmap/rawlog/StageTimes.h>
 
 #include <fmt/format.h>
@@ -75,9 +77,48 @@ PieceReader::PieceReader(const std::filesystem::path& file, InputFile::WaitForMo
     inflate_->avail_in = static_cast<uint32_t>(std::exchange(sniffed_, 0));
 }
 
+PieceReader::~PieceReader() = default;
+
+void PieceReader::cutMembers() {
+    // A file that grows ends anywhere.
+    if (isGzip() && !waitForMore_) cutter_ = std::make_unique<MemberCutter>(*file_);
+}
+
+bool PieceReader::unpack(FilePiece& piece) const {
+    if (piece.packed.empty()) return true;
+    std::optional<StageTimes::Measure> measure;
+    if (times_) measure.emplace(*times_, StageTimes::Unpack);
+    return unpackMember(piece.packed, piece.bytes);
+}
+
+void PieceReader::goOnUncut(uint64_t position) {
+    cutter_.reset();
+    std::fseek(file_.get(), static_cast<long>(position), SEEK_SET);
+    compressedPosition_ = position;
+    inflate_->avail_in = 0;
+    inMember_ = false;
+    firstMember_ = position == 0;
+}
+
+/// False if what comes next cannot be cut; then nothing is, from now on.
+bool PieceReader::cut(FilePiece& piece) {
+    piece.bytes.clear();
+    piece.packed.clear();
+    piece.failure.clear();
+    piece.begin = cutter_->position();
+    if (!cutter_->next(piece.packed) && !cutter_->atEnd()) {
+        goOnUncut(piece.begin);
+        return false;
+    }
+    piece.compressedPosition = cutter_->position();
+    return true;
+}
+
 void PieceReader::read(FilePiece& piece) {
     std::optional<StageTimes::Measure> measure;
     if (times_) measure.emplace(*times_, StageTimes::Unpack);
+    if (cutter_ && cut(piece)) return;
+    piece.packed.clear();
     piece.bytes.resize(pieceSize);
     size_t size = 0;
     if (failure_.empty()) size = isGzip() ? readInflated(piece.bytes) : readPlain(piece.bytes);

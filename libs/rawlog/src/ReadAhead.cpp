@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadAhead.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace offmap::rawlog {
@@ -18,20 +19,37 @@ ReadAhead::~ReadAhead() {
 
 void ReadAhead::take(FilePiece& piece) {
     Lock lock(mutex_);
-    if (ready_.empty() && mayRead()) readOne(lock);
-    // A thread that reads does nothing else, so that this one does not wait for itself.
-    changed_.wait(lock, [this] { return !reading_ || !ready_.empty(); });
-    if (ready_.empty()) {
+    while (!settleNext()) mayRead() ? readOne(lock) : changed_.wait(lock);
+    if (pieces_.empty()) {
         if (error_) std::rethrow_exception(error_);
         piece.bytes.clear();
         return;
     }
-    std::swap(piece, ready_.front());
-    spare_.splice(spare_.end(), ready_, ready_.begin());
+    std::swap(piece, pieces_.front().piece);
+    spare_.splice(spare_.end(), pieces_, pieces_.begin());
     if (asked_ || !mayRead()) return;
     asked_ = true;
     lock.unlock();
     tasks_.run([this] { readSome(); });
+}
+
+/// Whether the next piece is ready, or there is none. Once nobody is busy with what stands behind a
+/// piece that is no member, that is read again, uncut.
+bool ReadAhead::settleNext() {
+    // An empty member is not the end of the file.
+    while (!pieces_.empty() && pieces_.front().state == State::Ready &&
+           pieces_.front().piece.bytes.empty() && !pieces_.front().piece.packed.empty()) {
+        pieces_.pop_front();
+    }
+    if (pieces_.empty()) return ended_ && !reading_;
+    const Ahead& next = pieces_.front();
+    if (next.state != State::NoMember) return next.state == State::Ready;
+    const auto isBusy = [](const Ahead& ahead) { return ahead.state == State::Unpacking; };
+    if (reading_ || std::ranges::any_of(pieces_, isBusy)) return false;
+    reader_.goOnUncut(next.piece.begin);
+    pieces_.clear();
+    ended_ = uncut_ = false;
+    return false;
 }
 
 void ReadAhead::readSome() {
@@ -42,13 +60,13 @@ void ReadAhead::readSome() {
 
 /// Once it has read, nothing can fail any more: no piece is lost.
 void ReadAhead::readOne(Lock& lock) {
-    std::list<FilePiece> one;
+    std::list<Ahead> one;
     if (spare_.empty()) {
         one.emplace_back();
     } else {
         one.splice(one.end(), spare_, spare_.begin());
     }
-    FilePiece& piece = one.front();
+    FilePiece& piece = one.front().piece;
     reading_ = true;
     lock.unlock();
     std::exception_ptr error;
@@ -60,9 +78,29 @@ void ReadAhead::readOne(Lock& lock) {
     lock.lock();
     reading_ = false;
     error_ = error;
-    ended_ = ended_ || error || piece.bytes.empty() || !piece.failure.empty();
-    if (!error) ready_.splice(ready_.end(), one);
+    const bool isLast = piece.packed.empty() && (piece.bytes.empty() || !piece.failure.empty());
+    ended_ = ended_ || error || isLast;
+    if (!error) {
+        Ahead& ahead = one.front();
+        pieces_.splice(pieces_.end(), one);
+        changed_.notify_all();  // another may read
+        if (!ahead.piece.packed.empty()) unpack(lock, ahead);
+    }
     changed_.notify_all();
+}
+
+/// What cannot be unpacked, for want of memory too, is tried again uncut.
+void ReadAhead::unpack(Lock& lock, Ahead& ahead) {
+    ahead.state = State::Unpacking;
+    lock.unlock();
+    bool isMember = false;
+    try {
+        isMember = reader_.unpack(ahead.piece);
+    } catch (...) {
+    }
+    lock.lock();
+    ahead.state = isMember ? State::Ready : State::NoMember;
+    uncut_ = uncut_ || !isMember;
 }
 
 }  // namespace offmap::rawlog

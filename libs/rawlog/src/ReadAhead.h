@@ -11,11 +11,12 @@
 
 namespace offmap::rawlog {
 
-/// Reads a file a few pieces ahead in whatever thread of TBB is idle. If none is, whoever asks for
-/// a piece reads it, so that no thread is needed but the one that asks.
+/// Reads a file a few pieces ahead in whatever thread of TBB is idle: one reads, several unpack the
+/// members of a gzip file. Whoever asks for a piece that is not ready takes part in that meanwhile,
+/// so that no thread is needed but the one that asks.
 class ReadAhead {
  public:
-    explicit ReadAhead(PieceReader& reader) : reader_(reader) {}
+    explicit ReadAhead(PieceReader& reader) : reader_(reader) { reader_.cutMembers(); }
     ~ReadAhead();
     ReadAhead(const ReadAhead&) = delete;
     ReadAhead& operator=(const ReadAhead&) = delete;
@@ -25,17 +26,26 @@ class ReadAhead {
 
  private:
     using Lock = std::unique_lock<std::mutex>;
-    bool mayRead() const { return !reading_ && !ended_ && ready_.size() < most; }
+    enum class State { Unpacking, Ready, NoMember };
+    struct Ahead {
+        FilePiece piece;
+        State state = State::Ready;
+    };
+
+    bool mayRead() const { return !reading_ && !ended_ && !uncut_ && pieces_.size() < most; }
+    bool settleNext();
     void readOne(Lock& lock);
+    void unpack(Lock& lock, Ahead& ahead);
     void readSome();
 
-    static constexpr size_t most = 16;  // pieces, 4 MiB
+    static constexpr size_t most = 4;  // pieces, each mostly a MiB or less
     PieceReader& reader_;
     std::mutex mutex_;  // of all below
     std::condition_variable changed_;
-    std::list<FilePiece> ready_, spare_;
+    std::list<Ahead> pieces_, spare_;  // in the order of the file
     std::exception_ptr error_;
     bool reading_ = false;  // in some thread
+    bool uncut_ = false;    // one of them is no member: those behind it are cut wrongly
     bool asked_ = false;    // a task that is to read has not begun yet
     bool ended_ = false;
     // Where this is asked from may be cancelled, or end before this does.
