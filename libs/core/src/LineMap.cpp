@@ -89,8 +89,8 @@ std::optional<RayHit> LineMap::castRay(const TPoint2D& origin, const TPoint2D& d
     while (from < maxRange) {
         const double to = std::min(from + length, maxRange);
         const TPoint2D a = origin + direction * from, b = origin + direction * to;
-        const Box piece({std::min(a.x, b.x), std::min(a.y, b.y)},
-                        {std::max(a.x, b.x), std::max(a.y, b.y)});
+        const Box piece = boxAround({std::min(a.x, b.x), std::min(a.y, b.y)},
+                                    {std::max(a.x, b.x), std::max(a.y, b.y)}, 0);
         index_->forEachNear(piece, [&](uint32_t wall) {
             if (!walls_[wall].height.contains(z)) return;
             const auto range = rangeTo(walls_[wall], origin, direction);

@@ -7,7 +7,6 @@
 #include <offmap/core/LineFit.h>
 #include <offmap/core/PlanePoints.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>

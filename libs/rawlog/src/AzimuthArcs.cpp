@@ -124,8 +124,7 @@ BinnedArcs arcsInBins(const CloudPoints& points) {
         bin.greatest = bin.points == 0 ? angle : std::max(bin.greatest, angle);
         bin.sum += angle;
         ++bin.points;
-        const float x = points.x[i], y = points.y[i];
-        bin.clear = bin.clear || x * x + y * y >= clearSquaredGroundRange;
+        bin.clear = bin.clear || isClear(points.x[i], points.y[i]);
         out.arcOf[i] = b;
     }
     for (uint32_t b = 0; b < bins; ++b) {

@@ -26,6 +26,9 @@ inline double azimuthOf(float x, float y) {
 /// False on the vertical axis.
 inline bool hasAzimuth(float x, float y) { return x * x + y * y >= minSquaredGroundRange; }
 
+/// True where the rounding of coordinates does not matter.
+inline bool isClear(float x, float y) { return x * x + y * y >= clearSquaredGroundRange; }
+
 /// What azimuths some points have, those on the vertical axis left out.
 struct AzimuthArc {
     double begin = 0;     ///< [rad] the least, in (-pi, pi]

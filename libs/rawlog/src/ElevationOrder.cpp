@@ -83,8 +83,9 @@ OFFMAP_BY_PROCESSOR ElevationOrder elevationOrderOf(std::span<const TPoint3Df> r
 }
 
 void sortUpward(std::span<ColumnReturn> returns, const Upwards& up) {
-    for (ColumnReturn& r : returns)
+    for (ColumnReturn& r : returns) {
         r.squaredSine = squaredSineOf<double>(TPoint3D(r.point), up.direction);
+    }
     std::sort(returns.begin(), returns.end(), Below());
 }
 

@@ -105,9 +105,8 @@ bool PieceReader::cut(FilePiece& piece) {
     piece.bytes.clear();
     piece.packed.clear();
     piece.failure.clear();
-    piece.begin = cutter_->position();
     if (!cutter_->next(piece.packed) && !cutter_->atEnd()) {
-        goOnUncut(piece.begin);
+        goOnUncut(cutter_->position());
         return false;
     }
     piece.compressedPosition = cutter_->position();

@@ -21,7 +21,6 @@ class MemberCutter;
 struct FilePiece {
     std::vector<unsigned char> bytes;   ///< unpacked
     std::vector<unsigned char> packed;  ///< what has still to be unpacked, if anything has
-    uint64_t begin = 0;                 ///< [byte] of the file, where `packed` begins
     uint64_t compressedPosition = 0;    ///< [byte] of the file, as far as it was read for this
     std::string failure;                ///< why nothing can be read after this; empty if it can
 };

@@ -94,9 +94,7 @@ void appendCloud(TurnScan& out, const PlacedCloud& cloud, uint32_t firstSlot,
     const CloudReturns returns(cloud.points, firstSlot, out.counts);
     const CloudColumns columns = findCloudColumns(returns.points(), config.columnWidth);
     const ColumnOrder order = orderOf(columns);
-    out.scan.points.reserve(out.scan.points.size() + returns.points().size());
-    out.scan.sourceIndex.reserve(out.scan.sourceIndex.size() + returns.points().size());
-    out.scan.columns.reserve(out.scan.columns.size() + columns.azimuths.size());
+    out.reserve(columns.azimuths.size(), returns.points().size());
     core::ScanColumn column;
     column.time = cloud.time;
     placeColumn(column, cloud.vehicle, cloud.sensorInVehicle);

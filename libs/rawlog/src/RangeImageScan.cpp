@@ -52,9 +52,8 @@ void appendImage(TurnScan& out, const Scan& obs, uint32_t firstSlot, const PoseS
     const RangeImage image(obs);
     core::ScanColumn column = columnOf(obs, poses, mounting);
     std::vector<ColumnReturn> returns;
-    out.scan.points.reserve(out.scan.points.size() + image.pixels());
-    out.scan.sourceIndex.reserve(out.scan.sourceIndex.size() + image.pixels());
     const auto imageColumns = findImageColumns(image, mounting, config.columnWidth);
+    out.reserve(imageColumns.size(), image.pixels());
     for (size_t layer = 0; layer < image.layers(); ++layer) {
         for (const ImageColumn& imageColumn : imageColumns) {
             returns.clear();

@@ -33,6 +33,15 @@ void ReadAhead::take(FilePiece& piece) {
     tasks_.run([this] { readSome(); });
 }
 
+/// What stands behind a piece that is no member is cut wrongly.
+bool ReadAhead::mayRead() const {
+    return !reading_ && !ended_ && pieces_.size() < most && !any(State::NoMember);
+}
+
+bool ReadAhead::any(State state) const {
+    return std::ranges::any_of(pieces_, [=](const Ahead& ahead) { return ahead.state == state; });
+}
+
 /// Whether the next piece is ready, or there is none. Once nobody is busy with what stands behind a
 /// piece that is no member, that is read again, uncut.
 bool ReadAhead::settleNext() {
@@ -42,13 +51,12 @@ bool ReadAhead::settleNext() {
         pieces_.pop_front();
     }
     if (pieces_.empty()) return ended_ && !reading_;
-    const Ahead& next = pieces_.front();
-    if (next.state != State::NoMember) return next.state == State::Ready;
-    const auto isBusy = [](const Ahead& ahead) { return ahead.state == State::Unpacking; };
-    if (reading_ || std::ranges::any_of(pieces_, isBusy)) return false;
-    reader_.goOnUncut(next.piece.begin);
+    const auto& [next, state] = pieces_.front();
+    if (state != State::NoMember) return state == State::Ready;
+    if (reading_ || any(State::Unpacking)) return false;
+    reader_.goOnUncut(next.compressedPosition - next.packed.size());
     pieces_.clear();
-    ended_ = uncut_ = false;
+    ended_ = false;
     return false;
 }
 
@@ -100,7 +108,6 @@ void ReadAhead::unpack(Lock& lock, Ahead& ahead) {
     }
     lock.lock();
     ahead.state = isMember ? State::Ready : State::NoMember;
-    uncut_ = uncut_ || !isMember;
 }
 
 }  // namespace offmap::rawlog

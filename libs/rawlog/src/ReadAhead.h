@@ -32,7 +32,8 @@ class ReadAhead {
         State state = State::Ready;
     };
 
-    bool mayRead() const { return !reading_ && !ended_ && !uncut_ && pieces_.size() < most; }
+    bool mayRead() const;
+    bool any(State state) const;
     bool settleNext();
     void readOne(Lock& lock);
     void unpack(Lock& lock, Ahead& ahead);
@@ -45,7 +46,6 @@ class ReadAhead {
     std::list<Ahead> pieces_, spare_;  // in the order of the file
     std::exception_ptr error_;
     bool reading_ = false;  // in some thread
-    bool uncut_ = false;    // one of them is no member: those behind it are cut wrongly
     bool asked_ = false;    // a task that is to read has not begun yet
     bool ended_ = false;
     // Where this is asked from may be cancelled, or end before this does.

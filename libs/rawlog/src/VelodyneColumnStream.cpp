@@ -14,12 +14,6 @@ using Scan = mrpt::obs::CObservationVelodyneScan;
 
 const Scan& asScan(const mrpt::obs::CObservation& obs) { return dynamic_cast<const Scan&>(obs); }
 
-void makeRoom(const VelodyneColumns& gathered, core::OrganizedScan& scan) {
-    scan.columns.reserve(scan.columns.size() + gathered.columns.size());
-    scan.points.reserve(scan.points.size() + gathered.returns.size());
-    scan.sourceIndex.reserve(scan.sourceIndex.size() + gathered.returns.size());
-}
-
 }  // namespace
 
 void VelodyneColumnStream::add(const Turn& soFar, TurnScan& out) {
@@ -40,7 +34,7 @@ void VelodyneColumnStream::finish(const Turn& turn, TurnScan& out) {
         const Scan& obs = asScan(*observation);
         decode(obs);
         VelodyneColumns gathered = gatherColumns(progress_.decoded, progress_.firings);
-        makeRoom(gathered, out.scan);
+        out.reserve(gathered.columns.size(), gathered.returns.size());
         append(std::move(gathered), obs, out);
         const size_t slots = obs.scan_packets.size() * slotsPerPacket;
         out.counts.zero += slots - progress_.decoded.points.size();

@@ -39,6 +39,12 @@ struct TurnScan {
     std::vector<DuplicateReturn> duplicates;
     ReturnCounts counts;
 
+    /// Makes room for so many more.
+    void reserve(size_t columns, size_t points) {
+        scan.columns.reserve(scan.columns.size() + columns);
+        scan.points.reserve(scan.points.size() + points);
+        scan.sourceIndex.reserve(scan.sourceIndex.size() + points);
+    }
     /// A return of the column that is being taken.
     void add(const mrpt::math::TPoint3Df& point, uint32_t slot) {
         scan.points.push_back(point);
