@@ -2,6 +2,7 @@
 #include "MemberCutter.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <isa-l/igzip_lib.h>
 
@@ -10,11 +11,13 @@ namespace offmap::rawlog {
 MemberCutter::MemberCutter(std::FILE& file) : file_(file) {
     std::fseek(&file_, 0, SEEK_SET);
     readMore();
-    std::copy_n(bytes_.begin(), std::min(bytes_.size(), headerSize), header_.begin());
+    header_ = left().substr(0, headerSize);
 }
 
 bool MemberCutter::readMore() {
     constexpr size_t piece = 1 << 18;
+    bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(taken_));
+    taken_ = 0;
     const size_t before = bytes_.size();
     bytes_.resize(before + piece);
     const size_t size = std::fread(bytes_.data() + before, 1, piece, &file_);
@@ -23,24 +26,26 @@ bool MemberCutter::readMore() {
     return size > 0;
 }
 
-/// Where a header begins from some byte on; the number of bytes if none does.
+std::string_view MemberCutter::left() const {
+    return {reinterpret_cast<const char*>(bytes_.data()) + taken_, bytes_.size() - taken_};
+}
+
+/// How many bytes stand before the header that begins at one of them or later; all if none does.
 size_t MemberCutter::headerFrom(size_t begin) const {
-    const auto from = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(begin, bytes_.size()));
-    const auto found = std::search(from, bytes_.end(), header_.begin(), header_.end());
-    return static_cast<size_t>(found - bytes_.begin());
+    return std::min(left().find(header_, begin), left().size());
 }
 
 bool MemberCutter::next(std::vector<unsigned char>& packed) {
-    size_t end = headerFrom(1);
-    while (end == bytes_.size() && end < longest) {
+    size_t size = headerFrom(1);
+    while (size == left().size() && size < longest) {
         if (!readMore()) break;
-        end = headerFrom(end > headerSize ? end - headerSize : 1);
+        size = headerFrom(size > headerSize ? size - headerSize : 1);
     }
-    if (bytes_.empty() || (end == bytes_.size() && !ended_)) return false;
-    const auto behind = bytes_.begin() + static_cast<std::ptrdiff_t>(end);
-    packed.assign(bytes_.begin(), behind);
-    bytes_.erase(bytes_.begin(), behind);
-    position_ += end;
+    if (left().empty() || (size == left().size() && !ended_)) return false;
+    const auto begin = bytes_.begin() + static_cast<std::ptrdiff_t>(taken_);
+    packed.assign(begin, begin + static_cast<std::ptrdiff_t>(size));
+    taken_ += size;
+    position_ += size;
     return true;
 }
 

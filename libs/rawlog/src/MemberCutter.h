@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace offmap::rawlog {
@@ -22,17 +23,19 @@ class MemberCutter {
     bool next(std::vector<unsigned char>& packed);
 
     uint64_t position() const { return position_; }  ///< [byte] of the file: what is not taken
-    bool atEnd() const { return ended_ && bytes_.empty(); }
+    bool atEnd() const { return ended_ && left().empty(); }
 
  private:
     bool readMore();
+    std::string_view left() const;
     size_t headerFrom(size_t begin) const;
 
     static constexpr size_t headerSize = 10;    // [byte] of a member without name and comment
     static constexpr size_t longest = 1 << 21;  // [byte] of a member, packed
     std::FILE& file_;
-    std::vector<unsigned char> bytes_;  // from position_ on
-    std::array<unsigned char, headerSize> header_{};
+    std::vector<unsigned char> bytes_;  // up to where the file was read
+    size_t taken_ = 0;                  // of them
+    std::string header_;
     uint64_t position_ = 0;
     bool ended_ = false;
 };
