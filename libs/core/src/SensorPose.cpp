@@ -32,7 +32,7 @@ SensorPose composeOnGround(const mrpt::poses::CPose3D& vehicleInMap,
                            const Eigen::Matrix3d& vehicleGroundCovariance,
                            const mrpt::poses::CPose3D& sensorInVehicle) {
     SensorPose sensor;
-    sensor.sensorInMap = vehicleInMap + sensorInVehicle;
+    sensor.sensorInMap.composeFrom(vehicleInMap, sensorInVehicle);
     // A turn of the vehicle by dyaw moves the sensor by dyaw times the lever, turned left by 90
     // degrees: J C J' with a J that is the identity but for two elements.
     const double dx = -(sensor.sensorInMap.y() - vehicleInMap.y());

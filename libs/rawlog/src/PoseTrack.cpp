@@ -8,6 +8,7 @@
 #include <mrpt/math/slerp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -47,16 +48,21 @@ bool agree(const StampedPose& a, const StampedPose& b) {
 }
 
 /// Upright, with one sine and cosine in place of three.
-mrpt::poses::CPose3D poseOf(const TPose3D& mean) {
-    if (!isUpright(mean)) return mrpt::poses::CPose3D(mean);
+void setPose(std::optional<mrpt::poses::CPose3D>& pose, const TPose3D& mean) {
+    if (!isUpright(mean)) {
+        pose.emplace(mean);
+        return;
+    }
     const double c = std::cos(mean.yaw), s = std::sin(mean.yaw);
-    mrpt::math::CMatrixDouble33 rotation;
-    rotation.asEigen() << c, -s, 0, s, c, 0, 0, 0, 1;
-    return {rotation, mrpt::math::CVectorFixedDouble<3>({mean.x, mean.y, mean.z})};
+    pose.emplace(mrpt::poses::UNINITIALIZED_POSE)
+        .setFrom12Vector(std::array{c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0, mean.x, mean.y, mean.z});
 }
 
 PoseLookup lookup(const TPose3D& mean, const GroundTriangle& covariance) {
-    return {poseOf(mean), matrixOf(covariance), {}};
+    PoseLookup found;
+    setPose(found.vehicleInMap, mean);
+    found.groundCovariance = matrixOf(covariance);
+    return found;
 }
 
 PoseLookup none(core::PoseFault fault) { return {std::nullopt, Eigen::Matrix3d::Zero(), fault}; }
