@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace offmap::rawlog {
@@ -84,7 +85,8 @@ class Gathering {
         const auto first = static_cast<uint32_t>(out_.returns.size());
         const auto [begin, end] = rangeOf(firing, second);
         if (second && begin == end) return;
-        for (uint32_t i = begin; i < end; ++i) out_.returns.push_back(i);
+        out_.returns.resize(first + (end - begin));
+        std::iota(out_.returns.begin() + first, out_.returns.end(), begin);
         out_.columns.push_back({firing.azimuth, firing.time, first, first + (end - begin)});
     }
 

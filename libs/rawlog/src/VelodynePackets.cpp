@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "AppendedReturns.h"
 #include "LaserDirections.h"
+#include "PacketTimes.h"
 #include "VelodyneFields.h"
 #include "VelodynePoint.h"
 
@@ -17,36 +19,9 @@ namespace {
 
 using Scan = mrpt::obs::CObservationVelodyneScan;
 using Packet = Scan::TVelodyneRawPacket;
+using Appender = AppendedReturns::Appender;
 
 constexpr size_t blocksPerPacket = Scan::BLOCKS_PER_PACKET;
-
-/// Median of what the head turns [1/100 deg] from block to block, of those that are `stride` apart.
-double medianStep(const Packet& packet, size_t stride) {
-    std::vector<int> steps;
-    for (size_t i = 0; i + stride < blocksPerPacket; ++i) {
-        const int step = rotationOf(packet.blocks[i + stride]) - rotationOf(packet.blocks[i]);
-        steps.push_back((step + 2 * Scan::ROTATION_MAX_UNITS) % Scan::ROTATION_MAX_UNITS);
-    }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
-}
-
-/// The packet's stamp counts microseconds from the full hour, and starts again at the next.
-std::chrono::microseconds sinceFirstPacket(const Scan& obs, const Packet& packet) {
-    constexpr int64_t hour = 3'600'000'000;
-    const int64_t first = stampOf(obs.scan_packets.front());
-    int64_t elapsed = stampOf(packet) - first;
-    if (elapsed <= -hour / 2) elapsed += hour;
-    if (elapsed > hour / 2) elapsed -= hour;
-    return std::chrono::microseconds(elapsed);
-}
-
-mrpt::Clock::time_point timeOfFirstPacket(const Scan& obs, TimeReference reference) {
-    if (reference == TimeReference::First || obs.scan_packets.empty()) return obs.timestamp;
-    const auto lasted = sinceFirstPacket(obs, obs.scan_packets.back());
-    return obs.timestamp - (reference == TimeReference::Last ? lasted : lasted / 2);
-}
 
 class Decoder {
  public:
@@ -57,11 +32,9 @@ class Decoder {
           lasersPerBlock_(Scan::SCANS_PER_BLOCK / model_.firingsPerBlock),
           start_(timeOfFirstPacket(obs, decoding.timeReference)),
           out_(out),
+          returns_(out),
           directions_(model_, lasers_.size(), out.azimuthCorrections) {
         if (!out_.firings.empty()) return;
-        out_.points.reserve(obs.scan_packets.size() * slotsPerPacket);
-        out_.slots.reserve(obs.scan_packets.size() * slotsPerPacket);
-        out_.lasers.reserve(obs.scan_packets.size() * slotsPerPacket);
         out_.upward.resize(lasers_.size());
         std::iota(out_.upward.begin(), out_.upward.end(), uint8_t{0});
         std::ranges::stable_sort(out_.upward, {},
@@ -75,7 +48,10 @@ class Decoder {
     }
 
     void decodeFrom(size_t firstPacket) {
-        for (size_t p = firstPacket; p < obs_.scan_packets.size(); ++p) decodePacket(p);
+        const size_t end = obs_.scan_packets.size();
+        returns_.makeRoom(firstPacket < end ? (end - firstPacket) * slotsPerPacket : 0);
+        for (size_t p = firstPacket; p < end; ++p) decodePacket(p);
+        returns_.giveBackRoom();
     }
 
  private:
@@ -163,41 +139,45 @@ class Decoder {
     }
 
     void addAll(const Shots& shots) {
+        Appender to = returns_.appender();
         for (size_t l = 0; l < lasersPerBlock_; ++l) {
-            if (const uint16_t distance = shots.distance(l)) addReturn(shots, l, distance);
+            if (const uint16_t distance = shots.distance(l)) add(shots, l, distance, to);
         }
+        returns_.takeUpTo(to);
     }
 
     /// The last returns, and of the strongest those that equal them or have none beside them.
     void addFirst(const Shots& lasts, const Shots& strongests) {
+        Appender to = returns_.appender();
         for (size_t l = 0; l < lasersPerBlock_; ++l) {
             const uint16_t last = lasts.distance(l), strongest = strongests.distance(l);
-            if (last != 0) addReturn(lasts, l, last);
+            if (last != 0) add(lasts, l, last, to);
             if (strongest != 0 && (last == 0 || last == strongest)) {
-                addReturn(strongests, l, strongest);
+                add(strongests, l, strongest, to);
             }
         }
+        returns_.takeUpTo(to);
     }
 
     /// The strongest returns of lasers whose last return is another one.
     void addDifferent(const Shots& lasts, const Shots& strongests) {
+        Appender to = returns_.appender();
         for (size_t l = 0; l < lasersPerBlock_; ++l) {
             const uint16_t last = lasts.distance(l), strongest = strongests.distance(l);
             if (last != 0 && strongest != 0 && last != strongest) {
-                addReturn(strongests, l, strongest);
+                add(strongests, l, strongest, to);
             }
         }
+        returns_.takeUpTo(to);
     }
 
-    void addReturn(const Shots& shots, size_t l, uint16_t distance) {
+    void add(const Shots& shots, size_t l, uint16_t distance, Appender& to) const {
         const size_t laser = shots.firstLaser + l;
         const Direction direction = ofBlock_.turned(shots.turns[laser]);
-        out_.points.push_back(pointOf(distance, direction, lasers_[laser]));
-        out_.slots.push_back(static_cast<uint32_t>(shots.firstSlot + l));
-        out_.lasers.push_back(static_cast<uint8_t>(laser));
+        to.add(pointOf(distance, direction, lasers_[laser]), shots.firstSlot + l, laser);
     }
 
-    uint32_t pointCount() const { return static_cast<uint32_t>(out_.points.size()); }
+    uint32_t pointCount() const { return static_cast<uint32_t>(returns_.count()); }
 
     const Scan& obs_;
     const VelodyneModel& model_;
@@ -205,6 +185,7 @@ class Decoder {
     size_t lasersPerBlock_;
     mrpt::Clock::time_point start_;
     VelodyneReturns& out_;
+    AppendedReturns returns_;     ///< of out_
     LaserDirections directions_;  ///< from `ofBlock_` on
     Direction ofBlock_;           ///< where the head looks when the block's first laser fires
 };
