@@ -113,12 +113,19 @@ TEST_F(RawlogReaderOnFile, membersOfAnySizeReadAlike) {
     for (const size_t size : {1'000, 10'001, 299'999}) {
         SCOPED_TRACE(size);
         std::string packed = gzipped("");
-        for (size_t i = 0; i < log.size(); i += size) packed += gzipped(log.substr(i, size));
+        size_t middle = 0;  // where a member begins
+        for (size_t i = 0; i < log.size(); i += size) {
+            if (i < log.size() / 2) middle = packed.size();
+            packed += gzipped(log.substr(i, size));
+        }
         packed += gzipped("");
         EXPECT_EQ(readContent(packed).bytes, log);
         const ReadLog cut = readContent(packed.substr(0, packed.size() - 25));
         EXPECT_EQ(cut.bytes, log.substr(0, cut.bytes.size()));
-        packed[packed.size() / 2] ^= 0x01;
+        constexpr size_t timeStamp = 4, content = 20;  // [byte] of the member
+        packed[middle + timeStamp] ^= 0x01;            // looks like no other's, and is sound
+        EXPECT_EQ(readContent(packed).bytes, log);
+        packed[middle + content] ^= 0x01;
         EXPECT_NE(readContent(packed).error, "");
     }
 }
