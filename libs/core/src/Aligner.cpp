@@ -25,9 +25,13 @@ constexpr double widestLook = 1.5;  // [m] for a wall, however uncertain the pos
 constexpr double modelError = 0.01;
 
 /// Geman and McClure's: a sight far off hardly pulls at all, however far.
-double robustWeight(double distance, double variance) {
-    const double x = 1 + distance * distance / (2 * variance);
-    return 1 / (x * x);
+double robustWeight(double squaredDistance, double variance) {
+    const double root = 2 * variance / (2 * variance + squaredDistance);
+    return root * root;
+}
+
+double shareOf(size_t some, size_t all) {
+    return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0;
 }
 
 /// Whether shift and turn are too small to be worth another step.
@@ -45,7 +49,7 @@ Aligner::Aligner(std::span<const WallSight> sights, const LineMap& map, const Po
       prior_(prior),
       priorInformation_(prior.covariance.inverse()),
       config_(config),
-      candidates_(scratch.candidates) {}
+      scratch_(scratch) {}
 
 /// [m^2] Bound of what the prior leaves open of a sight's place.
 double Aligner::openVariance(const WallSight& sight) const {
@@ -65,12 +69,11 @@ double Aligner::widestOpen() const {
     return std::sqrt(widest);
 }
 
-std::optional<SightOnWall> Aligner::candidate(uint32_t index, const CorrectedColumn& column,
-                                              double priorShare, bool& fits) const {
-    const WallSight& sight = sights_[index];
+std::optional<SightOnWall> Aligner::candidate(const WallSight& sight, const CorrectedColumn& column,
+                                              double priorShare) const {
     const SeenPoint middle = sight.middle();
     const double gate = config_.gate;
-    const double byPrior = priorShare * priorShare * openVariance(sight);
+    const double byPrior = priorShare > 0 ? priorShare * priorShare * openVariance(sight) : 0;
     const double byMap = map_.largestSigma();
     const double byRange = sight.rangeSigma.value_or(config_.sigmaRange) + modelError;
     const double look = gate * std::sqrt(byPrior + byMap * byMap + byRange * byRange);
@@ -88,60 +91,51 @@ std::optional<SightOnWall> Aligner::candidate(uint32_t index, const CorrectedCol
     }
     const double squared = near->distance * near->distance;
     if (squared > gate * gate * (own + open)) return std::nullopt;
-    fits = squared <= gate * gate * own;
-    return SightOnWall{near->wall, index, 0.5 * robustWeight(near->distance, own + open) / noise,
-                       normal};
+    return SightOnWall{near->wall, squared <= gate * gate * own,
+                       0.5 * robustWeight(squared, own + open) / noise, normal};
 }
 
-/// Of every so many sights, by wall. \return [0, 1] how many lie on a wall by themselves
-double Aligner::findCandidates(const PoseCorrection& at, const Turn& turn, double priorShare,
-                               size_t stride) {
-    candidates_.clear();
-    size_t looked = 0, fitted = 0;
-    for (size_t i = 0; i < sights_.size(); i += stride) {
-        bool fits = false;
-        const CorrectedColumn column(at, turn, sights_[i].place);
-        const auto found = candidate(static_cast<uint32_t>(i), column, priorShare, fits);
-        if (found) candidates_.push_back(*found);
-        ++looked;
-        if (fits) ++fitted;
+/// Mostly, that of the sight before.
+WallInformation& Aligner::informationOf(uint32_t wall) {
+    auto& [walls, informations] = scratch_;
+    const auto known = std::find(walls.rbegin(), walls.rend(), wall);
+    if (known != walls.rend()) return informations[static_cast<size_t>(walls.rend() - known) - 1];
+    walls.push_back(wall);
+    return informations.emplace_back();
+}
+
+/// What a sight tells of the wall that it may be of.
+void Aligner::add(const WallSight& sight, const CorrectedColumn& column,
+                  const SightOnWall& candidate) {
+    const Wall& wall = map_.walls()[candidate.wall];
+    WallInformation& information = informationOf(candidate.wall);
+    for (const SeenPoint& point : {sight.lower, sight.upper}) {
+        const TPoint2D seen = column.place(point);
+        information.add(column.gradient(point, candidate.normal), shareAlong(wall, seen),
+                        distanceBehind(seen, wall, candidate.normal), candidate.weight);
     }
-    std::ranges::sort(candidates_, {}, [](const SightOnWall& candidate) {
-        return std::pair(candidate.wall, candidate.sight);
-    });
-    return looked > 0 ? static_cast<double>(fitted) / static_cast<double>(looked) : 0;
 }
 
-/// What the sights of one wall tell.
-void Aligner::addWall(std::span<const SightOnWall> candidates, const PoseCorrection& at,
-                      const Turn& turn, NormalEquations& equations) const {
-    const Wall& wall = map_.walls()[candidates.front().wall];
-    WallInformation information;
-    for (const SightOnWall& candidate : candidates) {
-        const WallSight& sight = sights_[candidate.sight];
-        const CorrectedColumn column(at, turn, sight.place);
-        for (const SeenPoint& point : {sight.lower, sight.upper}) {
-            const TPoint2D seen = column.place(point);
-            information.add(column.gradient(point, candidate.normal), shareAlong(wall, seen),
-                            distanceBehind(seen, wall, candidate.normal), candidate.weight);
-        }
-    }
-    constexpr double leastSigma = 1e-3;  // [m] a map is not exact, whatever it says
-    information.marginalise(std::max(wall.sigma, leastSigma), equations.information,
-                            equations.slope);
-}
-
+/// At every so many sights.
 NormalEquations Aligner::look(const PoseCorrection& at, double priorShare, size_t mostSights) {
+    auto& [walls, informations] = scratch_;
+    walls.clear();
+    informations.clear();
     const Turn turn(at);
     const size_t stride = std::max<size_t>(1, sights_.size() / mostSights);
-    const double fitted = findCandidates(at, turn, priorShare, stride);
-    NormalEquations out{priorInformation_, priorInformation_ * at.mean, fitted};
-    const std::span<const SightOnWall> candidates = candidates_;
-    for (size_t first = 0; first < candidates.size();) {
-        size_t last = first;
-        while (last < candidates.size() && candidates[last].wall == candidates[first].wall) ++last;
-        addWall(candidates.subspan(first, last - first), at, turn, out);
-        first = last;
+    size_t looked = 0, fitted = 0;
+    for (size_t i = 0; i < sights_.size(); i += stride) {
+        const CorrectedColumn column(at, turn, sights_[i].place);
+        const auto found = candidate(sights_[i], column, priorShare);
+        if (found) add(sights_[i], column, *found);
+        ++looked;
+        if (found && found->fits) ++fitted;
+    }
+    NormalEquations out{priorInformation_, priorInformation_ * at.mean, shareOf(fitted, looked)};
+    constexpr double leastSigma = 1e-3;  // [m] a map is not exact, whatever it says
+    for (size_t w = 0; w < walls.size(); ++w) {
+        const double sigma = std::max(map_.walls()[walls[w]].sigma, leastSigma);
+        informations[w].marginalise(sigma, out.information, out.slope);
     }
     return out;
 }
@@ -200,7 +194,7 @@ double Aligner::throughShare(const PoseCorrection& at) const {
             ++through;
         }
     }
-    return looked > 0 ? static_cast<double>(through) / static_cast<double>(looked) : 0;
+    return shareOf(through, looked);
 }
 
 }  // namespace offmap::core

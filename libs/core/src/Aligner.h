@@ -5,6 +5,7 @@
 #include <offmap/core/LineMap.h>
 #include <offmap/core/ReductionConfig.h>
 #include <offmap/core/ScanAlignment.h>
+#include <offmap/core/WallInformation.h>
 #include <offmap/core/WallSight.h>
 
 #include <optional>
@@ -12,6 +13,14 @@
 #include <vector>
 
 namespace offmap::core {
+
+/// What wall a sight may be of.
+struct SightOnWall {
+    uint32_t wall;  ///< index into LineMap::walls()
+    bool fits;      ///< it lies on it by itself, wherever the prior lets it be
+    double weight;  ///< [1/m^2]
+    mrpt::math::TPoint2D normal;
+};
 
 /// The normal equations of one Gauss-Newton step.
 struct NormalEquations {
@@ -35,12 +44,10 @@ class Aligner {
  private:
     double openVariance(const WallSight& sight) const;
     double widestOpen() const;
-    std::optional<SightOnWall> candidate(uint32_t index, const CorrectedColumn& column,
-                                         double priorShare, bool& fits) const;
-    double findCandidates(const PoseCorrection& at, const Turn& turn, double priorShare,
-                          size_t stride);
-    void addWall(std::span<const SightOnWall> candidates, const PoseCorrection& at,
-                 const Turn& turn, NormalEquations& equations) const;
+    std::optional<SightOnWall> candidate(const WallSight& sight, const CorrectedColumn& column,
+                                         double priorShare) const;
+    WallInformation& informationOf(uint32_t wall);
+    void add(const WallSight& sight, const CorrectedColumn& column, const SightOnWall& candidate);
     NormalEquations look(const PoseCorrection& at, double priorShare, size_t mostSights);
     Vector5 step(Alignment& out, double priorShare, size_t mostSights);
 
@@ -49,7 +56,7 @@ class Aligner {
     const PoseCorrection& prior_;
     Matrix5 priorInformation_;
     const AlignmentConfig& config_;
-    std::vector<SightOnWall>& candidates_;
+    AlignmentScratch& scratch_;
 };
 
 }  // namespace offmap::core

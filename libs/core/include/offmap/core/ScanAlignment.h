@@ -5,6 +5,7 @@
 #include <offmap/core/LineMap.h>
 #include <offmap/core/PoseCorrection.h>
 #include <offmap/core/ReductionConfig.h>
+#include <offmap/core/WallInformation.h>
 #include <offmap/core/WallSight.h>
 
 #include <cstdint>
@@ -13,17 +14,10 @@
 
 namespace offmap::core {
 
-/// A sight that may be of a wall.
-struct SightOnWall {
-    uint32_t wall;   ///< index into LineMap::walls()
-    uint32_t sight;  ///< index among the sights
-    double weight;   ///< [1/m^2]
-    mrpt::math::TPoint2D normal;
-};
-
-/// Working memory.
+/// Working memory: what the sights tell of each wall that they may be of.
 struct AlignmentScratch {
-    std::vector<SightOnWall> candidates;
+    std::vector<uint32_t> walls;  ///< indices into LineMap::walls()
+    std::vector<WallInformation> informations;
 };
 
 /// The correction that the stated covariance alone allows: none, with its uncertainty.
