@@ -64,7 +64,7 @@ TEST(WallGate, opensWithTheHeadingByTheLeverOfTheWall) {
     turned.covariance(2, 2) = 0.02 * 0.02;
     const double azimuth = std::numbers::pi / 4, range = 4 * std::sqrt(2.0);
     const WallOffset offset =
-        offsetFrom(map.walls()[0], turned, CorrectedColumn(turned, {{0, 0}, {1, 0}}),
+        offsetFrom(map, 0, turned, CorrectedColumn(turned, {{0, 0}, {1, 0}}),
                    sightAt(range, azimuth).middle(), sightAt(range, azimuth).beam, 0);
     EXPECT_NEAR(offset.sigma, std::hypot(0.01, 0.02 * range * std::sin(azimuth)), 1e-9);
     EXPECT_NEAR(offset.behind, 0, 1e-9);
@@ -107,6 +107,7 @@ TEST(WallGate, isTheSameWithoutRoots) {
     for (int i = 0; i < 20'000; ++i) {
         Wall wall{.line = {{place(random), place(random)}, {place(random), place(random)}}};
         if (i % 4 == 0) wall.curvature = place(random) / (2.1 * wall.line.length() + 4);
+        const LineMap map({wall});
         PoseCorrection correction;
         Matrix5 root;
         for (int k = 0; k < 25; ++k) root(k) = small(random);
@@ -116,19 +117,20 @@ TEST(WallGate, isTheSameWithoutRoots) {
         const SeenPoint point{{place(random), place(random)}, place(random)};
         const double variance = noise(random), gate = 3;
         const TPoint2D beam = point.ground * (1 / point.ground.norm());
-        const WallOffset offset = offsetFrom(wall, correction, column, point, beam, variance);
+        const WallOffset offset = offsetFrom(map, 0, correction, column, point, beam, variance);
+        const double distance = distanceTo(wall, column.place(point));
         constexpr double rounding = 1e-9;
-        if (std::abs(offset.distance - gate * offset.sigma) < rounding) continue;
-        const bool expected = offset.distance <= gate * offset.sigma;
-        EXPECT_EQ(isWithinGate(wall, correction, column, point, variance, gate), expected);
+        if (std::abs(distance - gate * offset.sigma) < rounding) continue;
+        const bool expected = distance <= gate * offset.sigma;
+        EXPECT_EQ(isWithinGate(map, 0, correction, column, point, variance, gate), expected);
         within += expected;
-        beyondAnEnd += expected && offset.distance > std::abs(offset.behind) + rounding;
+        beyondAnEnd += expected && distance > std::abs(offset.behind) + rounding;
     }
     EXPECT_GT(within, 2000);
     EXPECT_GT(beyondAnEnd, 200);
-    const Wall wall{.line = {{0, -1}, {0, 1}}};  // through the sensor
+    const LineMap map({{.line = {{0, -1}, {0, 1}}}});  // through the sensor
     const PoseCorrection exact;
-    EXPECT_TRUE(isWithinGate(wall, exact, {exact, {{0, 0}, {1, 0}}}, {{0, 0}, 0}, 1e-4, 3));
+    EXPECT_TRUE(isWithinGate(map, 0, exact, {exact, {{0, 0}, {1, 0}}}, {{0, 0}, 0}, 1e-4, 3));
 }
 
 }  // namespace offmap::core

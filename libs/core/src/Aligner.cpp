@@ -81,7 +81,7 @@ std::optional<SightOnWall> Aligner::candidate(const WallSight& sight, const Corr
     const auto near = map_.nearestWall(place, std::min(look, widestLook), sight.heightInMap);
     if (!near) return std::nullopt;
     const Wall& wall = map_.walls()[near->wall];
-    const TPoint2D normal = normalAwayFrom(sight.beam, wall, place);
+    const TPoint2D normal = map_.normalAwayFrom(sight.beam, near->wall, place);
     const double noise = varianceOfSight(sight, normal, config_) + modelError * modelError;
     const double own = noise + wall.sigma * wall.sigma;
     double open = 0;

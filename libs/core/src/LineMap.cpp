@@ -62,8 +62,10 @@ void requireUsable(const Wall& wall, size_t index) {
 LineMap::LineMap(std::vector<Wall> walls) : walls_(std::move(walls)) {
     std::vector<Entry> entries;
     entries.reserve(walls_.size());
+    leftNormals_.reserve(walls_.size());
     for (size_t i = 0; i < walls_.size(); ++i) {
         requireUsable(walls_[i], i);
+        leftNormals_.push_back(core::normalAwayFrom({0, 0}, walls_[i], walls_[i].line.point1));
         largestSigma_ = std::max(largestSigma_, walls_[i].sigma);
         // [m] more than what rounding takes from the look-up, even in coordinates of 1e7 m.
         constexpr double margin = 1e-6;

@@ -16,8 +16,8 @@ class SegmentAtWall {
     SegmentAtWall(const ReturnOffsets& offsets, const VerticalSegment& segment, uint32_t wall)
         : wall_(offsets.wall(wall)),
           column_(offsets.corrected(segment.column)),
-          normal_(
-              normalAwayFrom(segment.centre, wall_, column_.place(offsets.seen(segment.begin)))),
+          normal_(offsets.map().normalAwayFrom(segment.centre, wall,
+                                               column_.place(offsets.seen(segment.begin)))),
           linear_(column_.distanceBehind(wall_.line.point1, normal_)) {}
 
     bool isStraight() const { return wall_.curvature == 0; }

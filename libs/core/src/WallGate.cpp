@@ -50,26 +50,28 @@ double varianceOfSight(const WallSight& sight, const TPoint2D& normal,
     return along * along / std::min(sight.returns, countedReturns);
 }
 
-WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction,
+WallOffset offsetFrom(const LineMap& map, uint32_t index, const PoseCorrection& correction,
                       const CorrectedColumn& column, const SeenPoint& point, const TPoint2D& beam,
                       double noise) {
+    const Wall& wall = map.walls()[index];
     const TPoint2D place = column.place(point);
-    const TPoint2D normal = normalAwayFrom(beam, wall, place);
+    const TPoint2D normal = map.normalAwayFrom(beam, index, place);
     const Vector5 gradient = column.gradient(point, normal);
     const double across = dot(normal, beam);
     const double variance = varianceAcross(wall, correction, gradient, 1, across * across * noise);
-    return {distanceBehind(place, wall, normal), distanceTo(wall, place), std::sqrt(variance),
-            across};
+    return {distanceBehind(place, wall, normal), std::sqrt(variance), across};
 }
 
-bool isWithinGate(const Wall& wall, const PoseCorrection& correction, const CorrectedColumn& column,
-                  const SeenPoint& point, double noise, double gate) {
+bool isWithinGate(const LineMap& map, uint32_t index, const PoseCorrection& correction,
+                  const CorrectedColumn& column, const SeenPoint& point, double noise,
+                  double gate) {
+    const Wall& wall = map.walls()[index];
     const double squaredRange = point.ground.sqrNorm();
     if (wall.curvature != 0 || squaredRange == 0) {
         const TPoint2D beam =
             squaredRange > 0 ? point.ground * (1 / std::sqrt(squaredRange)) : TPoint2D(1, 0);
-        const WallOffset offset = offsetFrom(wall, correction, column, point, beam, noise);
-        return offset.distance <= gate * offset.sigma;
+        const WallOffset offset = offsetFrom(map, index, correction, column, point, beam, noise);
+        return distanceTo(wall, column.place(point)) <= gate * offset.sigma;
     }
     // All is told times the wall's length, or its square.
     const TPoint2D along = wall.line.point2 - wall.line.point1, normal(-along.y, along.x);
@@ -101,7 +103,7 @@ void explainKept(const WallSight& sight, const PoseCorrection& correction,
     match.wall = hit->wall;
     match.reason = range < hit->range ? KeepReason::InFrontOfWall : KeepReason::BehindWall;
     const double across = hit->incidence.sine();
-    const WallOffset offset = offsetFrom(map.walls()[hit->wall], correction, column, sight.middle(),
+    const WallOffset offset = offsetFrom(map, hit->wall, correction, column, sight.middle(),
                                          sight.beam, noiseOf(sight, config.alignment));
     predict((range - hit->range) * across, offset.sigma, across, config.alignment.gate, match);
 }
@@ -117,11 +119,10 @@ SegmentMatch matchByGate(const WallSight& sight, const Interval& measured,
     const TPoint2D place = column.place(sight.middle());
     const auto near = map.nearestWall(place, widestGate, sight.heightInMap);
     if (near) {
-        const Wall& wall = map.walls()[near->wall];
-        const WallOffset offset = offsetFrom(wall, correction, column, sight.middle(), sight.beam,
-                                             noiseOf(sight, config.alignment));
+        const WallOffset offset = offsetFrom(map, near->wall, correction, column, sight.middle(),
+                                             sight.beam, noiseOf(sight, config.alignment));
         const double gate = config.alignment.gate;
-        if (offset.distance <= gate * offset.sigma) {
+        if (near->distance <= gate * offset.sigma) {
             predict(offset.behind, offset.sigma, offset.across, gate, match);
             match.verdict = Verdict::MappedByRay;
             match.reason = KeepReason::None;

@@ -52,12 +52,21 @@ class LineMap {
     std::optional<NearestWall> nearestWall(const mrpt::math::TPoint2D& point, double maxDistance,
                                            double z) const;
 
+    /// See WallGeometry.h; of straight walls it is at hand. \param wall index into walls()
+    mrpt::math::TPoint2D normalAwayFrom(const mrpt::math::TPoint2D& beam, uint32_t wall,
+                                        const mrpt::math::TPoint2D& place) const {
+        if (walls_[wall].curvature != 0) return core::normalAwayFrom(beam, walls_[wall], place);
+        const mrpt::math::TPoint2D& left = leftNormals_[wall];
+        return left.x * beam.x + left.y * beam.y < 0 ? left * -1.0 : left;
+    }
+
     /// Whether any wall, at whatever height, comes within maxDistance of a point.
     bool hasWallWithin(const mrpt::math::TPoint2D& point, double maxDistance) const;
 
  private:
     struct Index;
     std::vector<Wall> walls_;
+    std::vector<mrpt::math::TPoint2D> leftNormals_;  // of straight walls
     double largestSigma_ = 0;
     std::unique_ptr<const Index> index_;
 };

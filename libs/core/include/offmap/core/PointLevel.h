@@ -52,6 +52,7 @@ class ReturnOffsets {
         return {correction_, turn_, places_[column]};
     }
     const Wall& wall(uint32_t index) const { return map_.walls()[index]; }
+    const LineMap& map() const { return map_; }
     const OrganizedScan& scan() const { return scan_; }
     const LevelledScan& levelled() const { return levelled_; }
     const PoseCorrection& correction() const { return correction_; }

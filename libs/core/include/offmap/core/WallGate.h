@@ -18,21 +18,20 @@ double varianceOfSight(const WallSight& sight, const mrpt::math::TPoint2D& norma
 
 /// How a place that a column sees stands to a wall.
 struct WallOffset {
-    double behind;    ///< [m] distanceBehind()
-    double distance;  ///< [m] from the wall, which has ends
-    double sigma;     ///< [m] of `behind`: pose, map and sensor
-    double across;    ///< [-] sine of the beam's incidence angle
+    double behind;  ///< [m] distanceBehind()
+    double sigma;   ///< [m] of `behind`: pose, map and sensor
+    double across;  ///< [-] sine of the beam's incidence angle
 };
 
-/// \param noise [m^2] variance of the place along the beam
-WallOffset offsetFrom(const Wall& wall, const PoseCorrection& correction,
+/// \param index of the wall \param noise [m^2] variance of the place along the beam
+WallOffset offsetFrom(const LineMap& map, uint32_t index, const PoseCorrection& correction,
                       const CorrectedColumn& column, const SeenPoint& point,
                       const mrpt::math::TPoint2D& beam, double noise);
 
 /// Whether a place that a column sees is within so many sigmas of a wall. What offsetFrom() tells
 /// of it, without its roots. \param noise [m^2] variance of the place along the beam
-bool isWithinGate(const Wall& wall, const PoseCorrection& correction, const CorrectedColumn& column,
-                  const SeenPoint& point, double noise, double gate);
+bool isWithinGate(const LineMap& map, uint32_t index, const PoseCorrection& correction,
+                  const CorrectedColumn& column, const SeenPoint& point, double noise, double gate);
 
 /// Matches a segment to the wall nearest to where the corrected pose puts it; it is mapped if it
 /// stands within the gate. \param turn of the correction
