@@ -14,6 +14,10 @@ using mrpt::math::TPoint2D;
 
 namespace {
 
+bool steepEnough(const ScaledLine& line, double maxSlope) {
+    return std::isinf(maxSlope) || std::abs(line.along.x) <= std::abs(line.along.y) * maxSlope;
+}
+
 bool longEnough(const LinePiece& piece, const PlanePoints& points, double minLength) {
     const double first = piece.line.along(points[piece.begin]);
     if (std::abs(piece.line.along(points[piece.end - 1]) - first) >= minLength) return true;
@@ -37,7 +41,7 @@ OFFMAP_BY_PROCESSOR [[gnu::flatten]] std::span<const LinePiece> splitAndMerge(
     merging.settleSeams();
     scratch.pieces.clear();
     for (const StraightRun& run : scratch.straight) {
-        if (run.size() < config.minPoints) continue;
+        if (run.size() < config.minPoints || !steepEnough(run.line, config.maxSlope)) continue;
         const LinePiece piece{run.begin, run.end, run.line.withUnitVector()};
         if (longEnough(piece, points, config.minLength)) scratch.pieces.push_back(piece);
     }

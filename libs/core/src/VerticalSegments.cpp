@@ -83,18 +83,15 @@ void VerticalSegmentFinder::addColumn(const OrganizedScan& scan, const LevelledS
     const std::span<const float> sigma = scan.rangeSigma;
     findSlack(sigma.empty() ? sigma : sigma.subspan(begin, end - begin));
     const SplitAndMergeConfig splitting{config_.maxPointToLine, config_.maxGap, config_.minLength,
-                                        config_.minPoints, slack_};
+                                        config_.minPoints,      slack_,         maxSlope_};
     for (const LinePiece& piece :
          splitAndMerge(levelled.profile(begin, end), splitting, scratch_)) {
-        const double aside = std::abs(piece.line.direction.x);
-        const double upwards = std::abs(piece.line.direction.y);
-        if (!(aside <= upwards * maxSlope_)) continue;
         // In place: what is copied has to wait to be written.
         VerticalSegment& segment = segments.emplace_back();
         segment.column = column;
         segment.begin = begin + piece.begin;
         segment.end = begin + piece.end;
-        segment.slope = aside / upwards;
+        segment.slope = std::abs(piece.line.direction.x / piece.line.direction.y);
         measure(piece, levelled, segment);
     }
 }

@@ -7,6 +7,7 @@
 #include <mrpt/math/TPoint2D.h>
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct SplitAndMergeConfig {
     double minLength;                ///< [m] between the ends of a piece, along its line
     uint32_t minPoints;              ///< of a piece
     std::span<const float> slack{};  ///< [m] per point, on top of maxPointToLine; empty: none
+    /// [-] x per y, without signs, of a piece's line: what lies flatter is no piece.
+    double maxSlope = std::numeric_limits<double>::infinity();
 };
 
 /// A straight piece of an ordered list of points.
