@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/core/ColumnRing.h>
 
-#include <mrpt/math/wrap2pi.h>
-
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace offmap::core {
 
 namespace {
 
 double azimuthStep(const ScanColumn& a, const ScanColumn& b) {
-    return std::abs(mrpt::math::wrapToPi<double>(double(b.azimuth) - double(a.azimuth)));
+    const double step = std::abs(double(b.azimuth) - double(a.azimuth));
+    return std::min(step, 2 * std::numbers::pi - step);
 }
 
 }  // namespace

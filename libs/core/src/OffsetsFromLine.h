@@ -23,17 +23,17 @@ class OffsetsFromLine {
         uint32_t count;
     };
     struct Line {
-        float x, y;            ///< [m] of a point on it
         float alongX, alongY;  ///< a vector along it
-        float length;          ///< of that
+        float offset;          ///< [m] of (0, 0), times `length`
+        float length;          ///< of that vector
     };
 
     /// \param slack [m] per point, or empty
     OffsetsFromLine(const PlanePoints& points, std::span<const float> slack, const ScaledLine& line)
         : points_{points.x.data(), points.y.data(), slack.empty() ? nullptr : slack.data(),
                   static_cast<uint32_t>(points.size())},
-          line_{static_cast<float>(line.point.x), static_cast<float>(line.point.y),
-                static_cast<float>(line.along.x), static_cast<float>(line.along.y),
+          line_{static_cast<float>(line.along.x), static_cast<float>(line.along.y),
+                static_cast<float>(line.point.y * line.along.x - line.point.x * line.along.y),
                 static_cast<float>(std::sqrt(line.squaredLength))} {}
 
     /// \param limit [m]
@@ -55,7 +55,7 @@ class OffsetsFromLine {
         Numbers x, y;
         load(points_.x + first, x);
         load(points_.y + first, y);
-        const Numbers off = (y - line_.y) * line_.alongX - (x - line_.x) * line_.alongY;
+        const Numbers off = (y * line_.alongX - x * line_.alongY) - line_.offset;
         offsets = off > -off ? off : -off;
         if (!points_.slack) return;
         Numbers slack;

@@ -65,13 +65,14 @@ class RunLines {
 /// corners are told so, without a fit.
 inline bool RunLines::mayBeStraight(uint32_t first, uint32_t between, uint32_t last) const {
     if (!config_.slack.empty()) return true;
-    const mrpt::math::TPoint2D toBetween = points_[between] - points_[first];
-    const mrpt::math::TPoint2D toLast = points_[last] - points_[first];
-    const double twiceArea = toBetween.x * toLast.y - toBetween.y * toLast.x;
-    const double longest =
+    const mrpt::math::TPoint2Df a = points_.asFloats(first);
+    const mrpt::math::TPoint2Df toBetween = points_.asFloats(between) - a;
+    const mrpt::math::TPoint2Df toLast = points_.asFloats(last) - a;
+    const float twiceArea = toBetween.x * toLast.y - toBetween.y * toLast.x;
+    const float longest =
         std::max({toBetween.sqrNorm(), toLast.sqrNorm(), (toLast - toBetween).sqrNorm()});
-    constexpr double rounding = 1 + 1e-5;
-    const double highest = 2 * rounding * config_.maxPointToLine;
+    constexpr double rounding = 1 + 1e-3;  // of points within 100 m
+    const auto highest = static_cast<float>(2 * rounding * config_.maxPointToLine);
     return twiceArea * twiceArea <= highest * highest * longest;
 }
 

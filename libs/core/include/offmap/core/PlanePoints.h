@@ -14,6 +14,7 @@ struct PlanePoints {
 
     size_t size() const { return x.size(); }
     mrpt::math::TPoint2D operator[](size_t i) const { return {x[i], y[i]}; }
+    mrpt::math::TPoint2Df asFloats(size_t i) const { return {x[i], y[i]}; }
     PlanePoints range(size_t begin, size_t end) const {
         return {{x.data() + begin, end - begin}, {y.data() + begin, end - begin}};
     }
