@@ -33,8 +33,11 @@ void ColumnFindings::begin() {
 
 void ColumnFindings::add(const OrganizedScan& scan, ReductionResult& result) {
     const size_t firstSegment = result.segments.size();
-    levelled_.resize(scan.points.size());
+    // The paper's method has no need of levelled points once it has a column's segments.
+    const bool byColumn = config_.matching.method == MatchingMethod::Paper;
+    if (!byColumn) levelled_.resize(scan.points.size());
     for (auto c = static_cast<uint32_t>(viewpoints_.size()); c < scan.columns.size(); ++c) {
+        if (byColumn) levelled_.holdOnly(scan.columns[c].begin, scan.columns[c].end);
         levelColumn(scan, c, levelled_);
         finder_.addColumn(scan, levelled_, c, result.segments);  // section 3
         addViewpoint(scan, result);                              // 3.2

@@ -47,9 +47,10 @@ Rotation uprightFrom(const ScanColumn& column) {
 
 void levelColumn(const OrganizedScan& scan, uint32_t column, LevelledScan& levelled) {
     const uint32_t begin = scan.columns[column].begin, end = scan.columns[column].end;
+    const uint32_t at = begin - levelled.first;
     turn(uprightFrom(scan.columns[column]), scan.points.data() + begin, end - begin,
-         levelled.x.data() + begin, levelled.y.data() + begin, levelled.range.data() + begin,
-         levelled.z.data() + begin);
+         levelled.x.data() + at, levelled.y.data() + at, levelled.range.data() + at,
+         levelled.z.data() + at);
 }
 
 void level(const OrganizedScan& scan, LevelledScan& levelled) {

@@ -42,7 +42,7 @@ TPoint2D centreOf(const float* x, const float* y, uint32_t count) {
 [[gnu::flatten]] OFFMAP_BY_PROCESSOR void measure(const LinePiece& piece,
                                                   const LevelledScan& levelled,
                                                   VerticalSegment& segment) {
-    const uint32_t begin = segment.begin, count = segment.end - begin;
+    const uint32_t begin = segment.begin - levelled.first, count = segment.end - segment.begin;
     const auto [point, direction] = piece.line;
     const auto lineRange = static_cast<float>(point.x), lineZ = static_cast<float>(point.y);
     const auto perRange = static_cast<float>(direction.x), perZ = static_cast<float>(direction.y);
