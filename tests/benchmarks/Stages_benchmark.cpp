@@ -41,8 +41,10 @@ struct Steps {
         viewpoints.assign(office.scan.columns.size(), viewpointOf(office.pose));
         matches.clear();
         for (size_t s = 0; s < segments.size(); ++s) {
-            matches.push_back(matchByRay(segments[s], measured[s], *viewpoints[segments[s].column],
-                                         office.map, config.matching));
+            SegmentMatch& match = matches.emplace_back();
+            match.measured = measured[s];
+            matchByRay(segments[s], *viewpoints[segments[s].column], office.map, config.matching,
+                       match);
         }
         byRay = matches;
     }

@@ -33,6 +33,14 @@ const std::vector<Wall> wallAtFive{{{{5, -3}, {5, 3}}, 0.12}};
 constexpr double twoSigmas = 0.26;
 constexpr MatchingConfig config{.sigmaFactor = 2};
 
+SegmentMatch matchByRay(const VerticalSegment& segment, const Interval& measured,
+                        const Viewpoint& from, const LineMap& map, const MatchingConfig& by) {
+    SegmentMatch match;
+    match.measured = measured;
+    core::matchByRay(segment, from, map, by, match);
+    return match;
+}
+
 /// Eq. 7 as printed: an end point of the measured interval within the predicted one.
 bool matchesAsPrinted(const Interval& measured, const Interval& predicted) {
     return predicted.contains(measured.min()) || predicted.contains(measured.max());

@@ -57,12 +57,14 @@ void ColumnFindings::add(const OrganizedScan& scan, ReductionResult& result) {
 void ColumnFindings::addViewpoint(const OrganizedScan& scan, ReductionResult& result) {
     const size_t c = viewpoints_.size();
     const ScanColumn& column = scan.columns[c];
-    auto& usable = viewpoints_.emplace_back();
-    if (column.begin == column.end) return;
-    if (c > 0 && viewpoints_[c - 1] && isOfOnePlace(scan.columns[c - 1].sensor, column.sensor)) {
-        usable = viewpoints_[c - 1];
+    const bool isEmpty = column.begin == column.end;
+    if (!isEmpty && c > 0 && viewpoints_[c - 1] &&
+        isOfOnePlace(scan.columns[c - 1].sensor, column.sensor)) {
+        viewpoints_.push_back(viewpoints_[c - 1]);
         return;
     }
+    auto& usable = viewpoints_.emplace_back();
+    if (isEmpty) return;
     std::optional<PoseFault> fault = column.fault;
     if (column.sensor) {
         const Viewpoint viewpoint = viewpointOf(*column.sensor);
@@ -88,8 +90,7 @@ void ColumnFindings::matchByRays(ReductionResult& result, size_t firstSegment) c
     for (size_t s = firstSegment; s < result.segments.size(); ++s) {
         const auto& viewpoint = viewpoints_[result.segments[s].column];
         if (!viewpoint) continue;
-        SegmentMatch& match = result.matches[s];
-        match = matchByRay(result.segments[s], match.measured, *viewpoint, map_, config_.matching);
+        matchByRay(result.segments[s], *viewpoint, map_, config_.matching, result.matches[s]);
     }
 }
 

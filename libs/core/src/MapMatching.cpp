@@ -81,11 +81,9 @@ std::optional<PoseFault> faultOf(const Viewpoint& viewpoint, const MatchingConfi
     return std::nullopt;
 }
 
-SegmentMatch matchByRay(const VerticalSegment& segment, const Interval& measured,
-                        const Viewpoint& viewpoint, const LineMap& map,
-                        const MatchingConfig& config) {
-    SegmentMatch match;
-    match.measured = measured;
+void matchByRay(const VerticalSegment& segment, const Viewpoint& viewpoint, const LineMap& map,
+                const MatchingConfig& config, SegmentMatch& match) {
+    const Interval measured = match.measured;
     const double groundRange = segment.centre.norm();
     const TPoint2D direction =
         groundRange > 0 ? segment.centre * (1 / groundRange) : TPoint2D(1, 0);
@@ -102,7 +100,7 @@ SegmentMatch matchByRay(const VerticalSegment& segment, const Interval& measured
         if (match.predicted->intersects(measured)) {  // eq. 7, corrected
             match.verdict = Verdict::MappedByRay;
             match.reason = KeepReason::None;
-            return match;
+            return;
         }
         match.reason = measured.max() < match.predicted->min() ? KeepReason::InFrontOfWall
                                                                : KeepReason::BehindWall;
@@ -114,7 +112,6 @@ SegmentMatch matchByRay(const VerticalSegment& segment, const Interval& measured
         match.reason = KeepReason::AmbiguousCorner;
         match.wall = beside;
     }
-    return match;
 }
 
 }  // namespace offmap::core

@@ -69,8 +69,8 @@ inline bool RunLines::mayBeStraight(uint32_t first, uint32_t between, uint32_t l
     const mrpt::math::TPoint2Df toBetween = points_.asFloats(between) - a;
     const mrpt::math::TPoint2Df toLast = points_.asFloats(last) - a;
     const float twiceArea = toBetween.x * toLast.y - toBetween.y * toLast.x;
-    const float longest =
-        std::max({toBetween.sqrNorm(), toLast.sqrNorm(), (toLast - toBetween).sqrNorm()});
+    const float fromFirst = std::max(toBetween.sqrNorm(), toLast.sqrNorm());
+    const float longest = std::max(fromFirst, (toLast - toBetween).sqrNorm());
     constexpr double rounding = 1 + 1e-3;  // of points within 100 m
     const auto highest = static_cast<float>(2 * rounding * config_.maxPointToLine);
     return twiceArea * twiceArea <= highest * highest * longest;

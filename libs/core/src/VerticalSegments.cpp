@@ -102,11 +102,4 @@ void VerticalSegmentFinder::find(const OrganizedScan& scan, const LevelledScan& 
     for (uint32_t c = 0; c < scan.columns.size(); ++c) addColumn(scan, levelled, c, segments);
 }
 
-Interval groundInterval(const VerticalSegment& segment, double maxMountingSlope) {
-    // Of the end furthest from the sensor's height.
-    const double height = std::max(-segment.lowest, segment.highest);
-    const double margin = height * maxMountingSlope;               // eqs. 4, 5
-    return {segment.nearest - margin, segment.furthest + margin};  // eq. 3
-}
-
 }  // namespace offmap::core

@@ -27,9 +27,8 @@ Viewpoint viewpointOf(const SensorPose& sensor);
 std::optional<PoseFault> faultOf(const Viewpoint& viewpoint, const MatchingConfig& config);
 
 /// Matches one segment to the map by a ray through its centre (eqs. 1, 6, 7, corrected).
-/// \param measured [m] its ground interval
-SegmentMatch matchByRay(const VerticalSegment& segment, const Interval& measured,
-                        const Viewpoint& viewpoint, const LineMap& map,
-                        const MatchingConfig& config);
+/// \param match has the segment's ground interval, and gets the rest
+void matchByRay(const VerticalSegment& segment, const Viewpoint& viewpoint, const LineMap& map,
+                const MatchingConfig& config, SegmentMatch& match);
 
 }  // namespace offmap::core

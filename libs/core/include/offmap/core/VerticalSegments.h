@@ -7,6 +7,7 @@
 #include <offmap/core/ReductionResult.h>
 #include <offmap/core/SplitAndMerge.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace offmap::core {
@@ -37,6 +38,11 @@ class VerticalSegmentFinder {
 /// The interval of ground range that a segment's points span, widened by what a tilted mounting
 /// does to its higher or lower end (eqs. 3 to 5) [m].
 /// \param maxMountingSlope tangent of GroundIntervalConfig::maxMountingTilt
-Interval groundInterval(const VerticalSegment& segment, double maxMountingSlope);
+inline Interval groundInterval(const VerticalSegment& segment, double maxMountingSlope) {
+    // Of the end furthest from the sensor's height.
+    const double height = std::max(-segment.lowest, segment.highest);
+    const double margin = height * maxMountingSlope;               // eqs. 4, 5
+    return {segment.nearest - margin, segment.furthest + margin};  // eq. 3
+}
 
 }  // namespace offmap::core
