@@ -26,7 +26,7 @@ template <size_t quantities, class At>
         float numbers[quantities];
         at(0, numbers);
         for (size_t q = 0; q < quantities; ++q) extents[q] = {numbers[q], numbers[q]};
-        for (uint32_t i = 1; i < count; ++i) {
+        for (size_t i = 1; i < count; ++i) {
             at(i, numbers);
             for (size_t q = 0; q < quantities; ++q) {
                 extents[q] = {std::min(extents[q].least, numbers[q]),
@@ -35,11 +35,11 @@ template <size_t quantities, class At>
         }
         return extents;
     }
-    const uint32_t last = count - laneCount;
+    const size_t last = count - laneCount;
     Lanes least[quantities], greatest[quantities], lanes[quantities];
     at(last, least);
     for (size_t q = 0; q < quantities; ++q) greatest[q] = least[q];
-    for (uint32_t i = 0; i < last; i += laneCount) {
+    for (size_t i = 0; i < last; i += laneCount) {
         at(i, lanes);
         for (size_t q = 0; q < quantities; ++q) {
             least[q] = lanes[q] < least[q] ? lanes[q] : least[q];

@@ -77,12 +77,10 @@ inline void Merging::settleSeam(StraightRun& first, StraightRun& second) const {
     Run before{first.sums, first.begin, seam}, behind{second.sums, seam, second.end};
     (grows ? before : behind).sums += moved;
     (grows ? behind : before).sums -= moved;
-    const LineTrial ofBefore = lines_.tried(before);
-    if (!ofBefore.serves()) return;
-    const LineTrial ofBehind = lines_.tried(behind);
-    if (!ofBehind.serves()) return;
-    first = {before, ofBefore.line};
-    second = {behind, ofBehind.line};
+    const ScaledLine ofBefore = before.sums.line(), ofBehind = behind.sums.line();
+    if (!lines_.serves(ofBefore, before) || !lines_.serves(ofBehind, behind)) return;
+    first = {before, ofBefore};
+    second = {behind, ofBehind};
 }
 
 }  // namespace offmap::core

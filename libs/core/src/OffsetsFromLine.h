@@ -39,7 +39,7 @@ class OffsetsFromLine {
     /// \param limit [m]
     bool anyBeyond(double limit) const {
         const auto [offsets] =
-            extentsOf<1>(points_.count, [&](uint32_t i, auto& numbers) { of(i, numbers[0]); });
+            extentsOf<1>(points_.count, [&](size_t i, auto& numbers) { of(i, numbers[0]); });
         return isBeyond(offsets.greatest, limit);
     }
 
@@ -51,12 +51,12 @@ class OffsetsFromLine {
 
     /// Of one point, or of as many from there on as there are lanes.
     template <class Numbers>
-    [[gnu::always_inline]] void of(uint32_t first, Numbers& offsets) const {
+    [[gnu::always_inline]] void of(size_t first, Numbers& offsets) const {
         Numbers x, y;
         load(points_.x + first, x);
         load(points_.y + first, y);
         const Numbers off = (y * line_.alongX - x * line_.alongY) - line_.offset;
-        offsets = off > -off ? off : -off;
+        magnitudes(off, offsets);
         if (!points_.slack) return;
         Numbers slack;
         load(points_.slack + first, slack);

@@ -34,7 +34,7 @@ struct LineTrial {
 class RunLines {
  public:
     RunLines(const PlanePoints& points, const SplitAndMergeConfig& config)
-        : points_(points), config_(config) {}
+        : points_(points), config_(config), squaredHeight_(squaredHeightOf(config)) {}
 
     const PlanePoints& points() const { return points_; }
     const SplitAndMergeConfig& config() const { return config_; }
@@ -57,8 +57,15 @@ class RunLines {
     LineTrial tried(Run& run) const;
 
  private:
+    static float squaredHeightOf(const SplitAndMergeConfig& config) {
+        constexpr double rounding = 1 + 1e-3;  // of points within 100 m
+        const double height = 2 * rounding * config.maxPointToLine;
+        return static_cast<float>(height * height);
+    }
+
     const PlanePoints& points_;
     const SplitAndMergeConfig& config_;
+    float squaredHeight_;  // [m^2] of three points that one line serves
 };
 
 /// Three points that one line serves form a triangle no higher than twice the tolerance: most
@@ -71,9 +78,7 @@ inline bool RunLines::mayBeStraight(uint32_t first, uint32_t between, uint32_t l
     const float twiceArea = toBetween.x * toLast.y - toBetween.y * toLast.x;
     const float fromFirst = std::max(toBetween.sqrNorm(), toLast.sqrNorm());
     const float longest = std::max(fromFirst, (toLast - toBetween).sqrNorm());
-    constexpr double rounding = 1 + 1e-3;  // of points within 100 m
-    const auto highest = static_cast<float>(2 * rounding * config_.maxPointToLine);
-    return twiceArea * twiceArea <= highest * highest * longest;
+    return twiceArea * twiceArea <= squaredHeight_ * longest;
 }
 
 inline LineTrial RunLines::tried(Run& run) const {

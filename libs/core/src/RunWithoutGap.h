@@ -38,7 +38,7 @@ inline bool isGapBehind(const PlanePoints& points, uint32_t before, double maxGa
 inline bool hasGap(const PlanePoints& points, double maxGap) {
     const auto size = static_cast<uint32_t>(points.size());
     if (size < 2) return false;
-    const auto [steps] = extentsOf<1>(size - 1, [&](uint32_t i, auto& squares) {
+    const auto [steps] = extentsOf<1>(size - 1, [&](size_t i, auto& squares) {
         squaredSteps(points.x.data() + i, points.y.data() + i, squares[0]);
     });
     return steps.greatest > static_cast<float>(maxGap * maxGap);

@@ -59,7 +59,7 @@ struct LineInFloats {
 [[gnu::flatten]] OFFMAP_BY_PROCESSOR Extent extentBehind(const float* x, const float* y,
                                                          const float* z, uint32_t count,
                                                          const LineInFloats& line) {
-    const auto [behind] = extentsOf<1>(count, [&](uint32_t i, auto& numbers) {
+    const auto [behind] = extentsOf<1>(count, [&](size_t i, auto& numbers) {
         std::remove_cvref_t<decltype(numbers[0])> east, north, up;
         load(x + i, east);
         load(y + i, north);

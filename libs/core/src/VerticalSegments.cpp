@@ -46,7 +46,7 @@ TPoint2D centreOf(const float* x, const float* y, uint32_t count) {
     const auto [point, direction] = piece.line;
     const auto lineRange = static_cast<float>(point.x), lineZ = static_cast<float>(point.y);
     const auto perRange = static_cast<float>(direction.x), perZ = static_cast<float>(direction.y);
-    const auto [range, z, along] = extentsOf<3>(count, [&](uint32_t i, auto& numbers) {
+    const auto [range, z, along] = extentsOf<3>(count, [&](size_t i, auto& numbers) {
         load(levelled.range.data() + begin + i, numbers[0]);
         load(levelled.z.data() + begin + i, numbers[1]);
         numbers[2] = (numbers[0] - lineRange) * perRange + (numbers[1] - lineZ) * perZ;

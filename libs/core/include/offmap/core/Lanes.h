@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -19,6 +20,13 @@ using LaneNumbers [[gnu::vector_size(laneCount * sizeof(int32_t))]] = int32_t;
 
 /// The same for a single number, so that code for both can be written once.
 [[gnu::always_inline]] inline void load(const float* values, float& number) { number = *values; }
+
+/// Without their signs.
+[[gnu::always_inline]] inline void magnitudes(const Lanes& lanes, Lanes& out) {
+    constexpr LaneNumbers allButSign = LaneNumbers{} + 0x7fffffff;
+    out = reinterpret_cast<Lanes>(reinterpret_cast<LaneNumbers>(lanes) & allButSign);
+}
+[[gnu::always_inline]] inline void magnitudes(float number, float& out) { out = std::abs(number); }
 
 /// Whether a comparison holds in any lane.
 template <class Comparison>
