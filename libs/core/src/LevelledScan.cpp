@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <offmap/core/ByProcessor.h>
+#include <offmap/core/Lanes.h>
 #include <offmap/core/LevelledScan.h>
 
 #include <cmath>
@@ -22,19 +23,49 @@ struct Rotation {
     float r[3][3];
 };
 
-/// Turns points of the sensor upright.
+/// As many points as there are lanes, coordinate by coordinate: half of them in the lower half of
+/// each register, whose halves are shuffled alike.
+[[gnu::always_inline]] inline void load(const TPoint3Df* points, Lanes& x, Lanes& y, Lanes& z) {
+    const float* const p = &points->x;
+    Lanes a, b, c;  // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3; and the same of points 4 to 7
+    loadHalves(p, p + 12, a);
+    loadHalves(p + 4, p + 16, b);
+    loadHalves(p + 8, p + 20, c);
+    const Lanes xy = __builtin_shufflevector(b, c, 2, 3, 9, 10, 6, 7, 13, 14);  // x2 y2 x3 y3
+    const Lanes yz = __builtin_shufflevector(a, b, 1, 2, 8, 9, 5, 6, 12, 13);   // y0 z0 y1 z1
+    x = __builtin_shufflevector(a, xy, 0, 3, 8, 10, 4, 7, 12, 14);
+    y = __builtin_shufflevector(yz, xy, 0, 2, 9, 11, 4, 6, 13, 15);
+    z = __builtin_shufflevector(yz, c, 1, 3, 8, 11, 5, 7, 12, 15);
+}
+[[gnu::always_inline]] inline void load(const TPoint3Df* point, float& x, float& y, float& z) {
+    x = point->x, y = point->y, z = point->z;
+}
+
+/// Turns points of the sensor upright: one, or as many as there are lanes.
+template <class Numbers>
+[[gnu::always_inline]] inline void turn(const Rotation& rotation, const TPoint3Df* points, float* x,
+                                        float* y, float* range, float* z) {
+    const auto& r = rotation.r;
+    Numbers px, py, pz, ranges;
+    load(points, px, py, pz);
+    const Numbers east = r[0][0] * px + r[0][1] * py + r[0][2] * pz;
+    const Numbers north = r[1][0] * px + r[1][1] * py + r[1][2] * pz;
+    store(east, x);
+    store(north, y);
+    squareRoots(east * east + north * north, ranges);
+    store(ranges, range);
+    store(r[2][0] * px + r[2][1] * py + r[2][2] * pz, z);
+}
+
 OFFMAP_BY_PROCESSOR void turn(const Rotation& rotation, const TPoint3Df* points, uint32_t count,
                               float* __restrict x, float* __restrict y, float* __restrict range,
                               float* __restrict z) {
-    const auto [r] = rotation;
-    for (uint32_t i = 0; i < count; ++i) {
-        const TPoint3Df p = points[i];
-        const float east = r[0][0] * p.x + r[0][1] * p.y + r[0][2] * p.z;
-        const float north = r[1][0] * p.x + r[1][1] * p.y + r[1][2] * p.z;
-        x[i] = east;
-        y[i] = north;
-        range[i] = std::sqrt(east * east + north * north);
-        z[i] = r[2][0] * p.x + r[2][1] * p.y + r[2][2] * p.z;
+    size_t i = 0;
+    for (; i + laneCount <= count; i += laneCount) {
+        turn<Lanes>(rotation, points + i, x + i, y + i, range + i, z + i);
+    }
+    for (; i < count; ++i) {
+        turn<float>(rotation, points + i, x + i, y + i, range + i, z + i);
     }
 }
 

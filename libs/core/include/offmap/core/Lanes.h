@@ -18,8 +18,31 @@ using LaneNumbers [[gnu::vector_size(laneCount * sizeof(int32_t))]] = int32_t;
     std::memcpy(&lanes, values, sizeof lanes);
 }
 
+/// Each half from a place of its own.
+[[gnu::always_inline]] inline void loadHalves(const float* first, const float* second,
+                                              Lanes& lanes) {
+    using Half [[gnu::vector_size(sizeof(Lanes) / 2)]] = float;
+    Half one, other;
+    std::memcpy(&one, first, sizeof one);
+    std::memcpy(&other, second, sizeof other);
+    lanes = __builtin_shufflevector(one, other, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+[[gnu::always_inline]] inline void store(const Lanes& lanes, float* values) {
+    std::memcpy(values, &lanes, sizeof lanes);
+}
+[[gnu::always_inline]] inline void squareRoots(const Lanes& squares, Lanes& roots) {
+    float values[laneCount];
+    store(squares, values);
+    for (float& value : values) value = std::sqrt(value);  // becomes one instruction
+    load(values, roots);
+}
+
 /// The same for a single number, so that code for both can be written once.
 [[gnu::always_inline]] inline void load(const float* values, float& number) { number = *values; }
+[[gnu::always_inline]] inline void store(float number, float* value) { *value = number; }
+[[gnu::always_inline]] inline void squareRoots(float square, float& root) {
+    root = std::sqrt(square);
+}
 
 /// Without their signs.
 [[gnu::always_inline]] inline void magnitudes(const Lanes& lanes, Lanes& out) {
