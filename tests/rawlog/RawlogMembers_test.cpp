@@ -12,8 +12,6 @@ using offmap::test::gzipped;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::filesystem::path datasets = "/usr/share/mrpt/datasets";
-
 TEST_F(RawlogReaderOnFile, plainAndGzipAndSeveralMembersReadAlike) {
     const std::string log = smallLog();
     for (const std::string& content :

@@ -15,8 +15,6 @@ using offmap::test::writeFile;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::filesystem::path datasets = "/usr/share/mrpt/datasets";
-
 TEST(RawlogReader, entriesAreTheBytesOfTheStream) {
     const std::pair<const char*, size_t> logs[] = {
         {"localization_demo.rawlog", 74},

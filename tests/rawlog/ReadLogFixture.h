@@ -18,6 +18,8 @@
 
 namespace offmap::rawlog {
 
+inline const std::filesystem::path datasets = "/usr/share/mrpt/datasets";
+
 struct ReadLog {
     std::string bytes;              ///< of all entries
     std::vector<uint64_t> offsets;  ///< of each entry

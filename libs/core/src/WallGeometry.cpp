@@ -94,7 +94,7 @@ TPoint2D normalAwayFrom(const TPoint2D& beam, const Wall& wall, const TPoint2D& 
     const TPoint2D along = wall.line.point2 - wall.line.point1;
     const TPoint2D normal = isStraight(wall) ? TPoint2D(-along.y, along.x) * (1 / along.norm())
                                              : BentWall(wall).leftNormal(place);
-    return dot(normal, beam) < 0 ? normal * -1.0 : normal;
+    return turnedAlong(beam, normal);
 }
 
 double distanceBehind(const TPoint2D& place, const Wall& wall, const TPoint2D& normal) {

@@ -56,8 +56,7 @@ class LineMap {
     mrpt::math::TPoint2D normalAwayFrom(const mrpt::math::TPoint2D& beam, uint32_t wall,
                                         const mrpt::math::TPoint2D& place) const {
         if (walls_[wall].curvature != 0) return core::normalAwayFrom(beam, walls_[wall], place);
-        const mrpt::math::TPoint2D& left = leftNormals_[wall];
-        return left.x * beam.x + left.y * beam.y < 0 ? left * -1.0 : left;
+        return turnedAlong(beam, leftNormals_[wall]);
     }
 
     /// Whether any wall, at whatever height, comes within maxDistance of a point.

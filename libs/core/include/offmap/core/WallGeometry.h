@@ -21,6 +21,12 @@ double shareAlong(const Wall& wall, const mrpt::math::TPoint2D& place);
 /// The place on the wall at that share of the way.
 mrpt::math::TPoint2D placeAt(const Wall& wall, double share);
 
+/// Of the two directions across a wall, the one that goes the beam's way.
+inline mrpt::math::TPoint2D turnedAlong(const mrpt::math::TPoint2D& beam,
+                                        const mrpt::math::TPoint2D& normal) {
+    return normal.x * beam.x + normal.y * beam.y < 0 ? normal * -1.0 : normal;
+}
+
 /// Unit normal of the wall where a place is nearest to it, that points the way the beam goes.
 /// \param beam map axes
 mrpt::math::TPoint2D normalAwayFrom(const mrpt::math::TPoint2D& beam, const Wall& wall,
